@@ -1,0 +1,231 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "particleOutput.H"
+#include "clockTime.H"
+#include "IOField.H"
+#include "OSspecific.H"
+#include "passiveParticleCloud.H"
+#include "polyMesh.H"
+#include "Time.H"
+#include "tetBarycentric.H"
+
+#include <fstream>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+    defineTypeName(particleOutput);
+}
+}
+
+static const Foam::word cloudName("particles");
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::particleOutput::particleOutput
+(
+    const polyMesh& mesh,
+    const particleEngine& particles
+)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            "particleOutput",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    particles_(particles),
+    cloud_(false),
+    vtk_(false),
+    csv_(false),
+    hosts_(mesh),
+    series_(mesh.time().globalPath()/"VTK", cloudName),
+    time_(0)
+{
+    const dictionary& dict = particles.properties();
+    const wordList formats
+    (
+        dict.getOrDefault<wordList>("output", wordList({"cloud", "vtk"}))
+    );
+
+    for (const word& format : formats)
+    {
+        if (format == "cloud") cloud_ = true;
+        else if (format == "vtk") vtk_ = true;
+        else if (format == "csv") csv_ = true;
+        else
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown format " << format << " in entry 'output'" << nl
+                << "Valid formats: cloud vtk csv"
+                << exit(FatalIOError);
+        }
+    }
+
+    if (vtk_)
+    {
+        series_.resume(mesh.time().value());
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::particleOutput::writeCloud
+(
+    IOstream::streamFormat fmt,
+    IOstream::versionNumber ver,
+    IOstream::compressionType cmp
+) const
+{
+    const particleState& s = particles_.state();
+
+    // The cloud lives where the cells are
+    hosts_.correct(s.x);
+    const labelList cells(hosts_.cells());
+    const List<point> x(hosts_.distribute(s.x));
+    const label n = cells.size();
+
+    passiveParticleCloud cloud(mesh_, cloudName, IDLList<passiveParticle>());
+    for (label i = 0; i < n; i++)
+    {
+        cloud.addParticle
+        (
+            new passiveParticle(tetBarycentric::inCell(mesh_, x[i], cells[i]))
+        );
+    }
+    cloud.writeObject(fmt, ver, cmp, n > 0);
+
+    const auto write = [&](const word& name, const auto& values)
+    {
+        typedef typename std::decay<decltype(values)>::type::value_type Type;
+
+        IOField<Type> field
+        (
+            IOobject
+            (
+                name,
+                mesh_.time().timeName(),
+                cloud,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            Field<Type>(hosts_.distribute(values))
+        );
+        field.writeObject(fmt, ver, cmp, n > 0);
+    };
+
+    write("U", s.v);
+    write("omega", s.omega);
+    write("d", s.d);
+    write("rho", s.rho);
+    write("typeId", s.type);
+    write("id", s.id);
+    if (s.thermal)
+    {
+        write("T", s.T);
+    }
+}
+
+
+void Foam::dew::particleOutput::writeCsv() const
+{
+    // Rank after rank, so that nobody holds more than one rank's particles
+    const fileName path
+    (
+        mesh_.time().globalPath()/mesh_.time().timeName()/"particles.csv"
+    );
+    const particleState& s = particles_.state();
+    const wordList& names = particles_.materialNames();
+
+    for (label rank = 0; rank < Pstream::nProcs(); rank++)
+    {
+        if (rank == Pstream::myProcNo())
+        {
+            if (rank == 0)
+            {
+                mkDir(path.path());
+            }
+
+            std::ofstream os(path, rank ? std::ios::app : std::ios::trunc);
+            os.precision(17);
+            if (rank == 0)
+            {
+                os  << "id,x,y,z,d,vx,vy,vz,wx,wy,wz"
+                    << (s.thermal ? ",T" : "")
+                    << (names.size() ? ",material" : "") << '\n';
+            }
+
+            for (label i = 0; i < s.size(); i++)
+            {
+                const vector &x = s.x[i], &v = s.v[i], &w = s.omega[i];
+                os  << s.id[i]
+                    << ',' << x.x() << ',' << x.y() << ',' << x.z()
+                    << ',' << s.d[i]
+                    << ',' << v.x() << ',' << v.y() << ',' << v.z()
+                    << ',' << w.x() << ',' << w.y() << ',' << w.z();
+                if (s.thermal) os << ',' << s.T[i];
+                if (names.size()) os << ',' << names[s.type[i]].c_str();
+                os << '\n';
+            }
+        }
+
+        label turn = rank;
+        reduce(turn, maxOp<label>());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::particleOutput::writeStart() const
+{
+    if (vtk_)
+    {
+        series_.write(mesh_.time(), particles_.state());
+    }
+}
+
+
+bool Foam::dew::particleOutput::writeObject
+(
+    IOstream::streamFormat fmt,
+    IOstream::versionNumber ver,
+    IOstream::compressionType cmp,
+    const bool
+) const
+{
+    const clockTime clock;
+
+    if (cloud_)
+    {
+        writeCloud(fmt, ver, cmp);
+    }
+    if (vtk_)
+    {
+        series_.write(mesh_.time(), particles_.state());
+    }
+    if (csv_)
+    {
+        writeCsv();
+    }
+
+    time_ += clock.elapsedTime();
+
+    return true;
+}

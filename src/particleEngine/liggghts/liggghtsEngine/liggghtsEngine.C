@@ -1,0 +1,759 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "liggghtsEngine.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dimensionedVector.H"
+#include "liggghtsTimeStep.H"
+#include "OSspecific.H"
+#include "polyMesh.H"
+#include "Time.H"
+#include "uniformDimensionedFields.H"
+#include "userEntry.H"
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <zlib.h>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+    defineTypeName(liggghtsEngine);
+    addToRunTimeSelectionTable(particleEngine, liggghtsEngine, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+const Foam::fileName folder("dem");
+
+
+Foam::dew::liggghtsOptions options(const Foam::polyMesh& mesh)
+{
+    const Foam::fileName path(mesh.time().globalPath()/folder);
+    if (Foam::Pstream::master())
+    {
+        Foam::mkDir(path);
+    }
+
+    Foam::dew::liggghtsOptions result;
+    result.logFile = path/"log.liggghts";
+    result.caller = "dew";
+    return result;
+}
+
+
+double powerOfTwo(const double x)
+{
+    return std::exp2(std::round(std::log2(x)));
+}
+
+
+//- Length and CRC-32 of a file
+std::pair<long, unsigned long> checksum(const std::string& path)
+{
+    std::ifstream is(path, std::ios::binary);
+    std::vector<char> buffer(1 << 20);
+    unsigned long crc = crc32(0, Z_NULL, 0);
+    long length = 0;
+
+    while (is)
+    {
+        is.read(buffer.data(), buffer.size());
+        crc = crc32
+        (
+            crc,
+            reinterpret_cast<const Bytef*>(buffer.data()),
+            uInt(is.gcount())
+        );
+        length += is.gcount();
+    }
+
+    return {length, crc};
+}
+
+
+template<class List>
+const double* data(const List& list)
+{
+    return
+        list.empty()
+      ? nullptr
+      : reinterpret_cast<const double*>(list.cdata());
+}
+
+
+template<class List>
+double* data(List& list)
+{
+    return
+        list.empty() ? nullptr : reinterpret_cast<double*>(list.data());
+}
+
+} // End anonymous namespace
+
+static_assert(sizeof(Foam::label) == sizeof(int), "built for 32-bit labels");
+static_assert(sizeof(Foam::vector) == 3*sizeof(double), "built for double");
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::liggghtsEngine::liggghtsEngine
+(
+    const polyMesh& mesh,
+    const dictionary& dict
+)
+:
+    particleEngine(mesh, dict),
+    native_(dict.found("input")),
+    deltaT_(0),
+    library_(dict, options(mesh)),
+    g_(Zero),
+    needsSetup_(true),
+    maxDiameter_(0)
+{
+    userEntry::onlyThese
+    (
+        dict,
+        {
+            "FoamFile", "engine", "periodic", "heat", "overlapTolerance",
+            "materials", "contacts", "walls", "insertion", "timeStep", "skin",
+            "processors", "commands", "input", "library", "frameAcceleration",
+            "coupling", "output"
+        }
+    );
+
+    readGravity();
+
+    if (native_)
+    {
+        if (dict.found("materials"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entries 'input' and 'materials' exclude each other: the"
+                << " input file brings its own materials"
+                << exit(FatalIOError);
+        }
+
+        deltaT_ = userEntry::positive
+        (
+            dict.subDict("timeStep"), "deltaT", dimTime
+        );
+
+        DynamicList<std::string> lines;
+        nativeInput(lines);
+        execute(lines);
+    }
+    else
+    {
+        if (!materials_)
+        {
+            FatalIOErrorInFunction(dict)
+                << "No materials: add the sub-dictionaries materials, contacts"
+                << " and insertion, or the entry 'input'"
+                << exit(FatalIOError);
+        }
+        for (const insertionModel& model : insertion_)
+        {
+            maxDiameter_ = max(maxDiameter_, model.maxDiameter());
+        }
+        if (maxDiameter_ <= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "No particles: the sub-dictionary insertion is empty"
+                << exit(FatalIOError);
+        }
+
+        liggghtsCommands commands(dict_, materials_(), heat_);
+        chooseTimeStep(commands);
+        chooseUnits();
+        generated(commands);
+        execute(commands.lines());
+    }
+
+    library_.call
+    (
+        "setting up",
+        [this](liggghtsBinding& e)
+        {
+            e.units(units_);
+            e.expect(0.5*maxDiameter_, heat_);
+
+            if (!native_)
+            {
+                e.gravity
+                (
+                    [this](double t, double* g)
+                    {
+                        vector value(g_);
+                        if (frameAcceleration_)
+                        {
+                            value -= frameAcceleration_->value(t);
+                        }
+                        std::memcpy(g, &value, 3*sizeof(double));
+                    }
+                );
+            }
+        }
+    );
+
+    if (restarted())
+    {
+        library_.call
+        (
+            "going on from the restart",
+            [](liggghtsBinding& e) { e.setup(); }
+        );
+        needsSetup_ = false;
+    }
+    else
+    {
+        insertInitial();
+    }
+
+    pull();
+    account();
+    printSetup();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::liggghtsEngine::readGravity()
+{
+    const uniformDimensionedVectorField g
+    (
+        IOobject
+        (
+            "g",
+            mesh_.time().constant(),
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        ),
+        dimensionedVector("g", dimAcceleration, Zero)
+    );
+
+    if (g.dimensions() != dimAcceleration)
+    {
+        FatalErrorInFunction
+            << "Wrong dimensions in file " << g.objectPath() << ": "
+            << g.dimensions() << nl << "Expected: " << dimAcceleration
+            << exit(FatalError);
+    }
+    g_ = g.value();
+
+    if (dict_.found("frameAcceleration"))
+    {
+        frameAcceleration_ =
+            Function1<vector>::New("frameAcceleration", dict_);
+    }
+}
+
+
+void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
+{
+    const dictionary& dict = dict_.subOrEmptyDict("timeStep");
+    userEntry::onlyThese(dict, {"fraction", "deltaT"});
+
+    const scalar fraction =
+        userEntry::positiveOr(dict, "fraction", dimless, 0.1);
+
+    // Any material may come in the smallest size
+    scalar Rmin = GREAT;
+    for (const insertionModel& model : insertion_)
+    {
+        Rmin = min(Rmin, 0.5*model.minDiameter());
+    }
+
+    scalar stable = GREAT, wanted = GREAT;
+    for (label i = 0; i < materials_->size(); i++)
+    {
+        stable = min(stable, commands.stableTimeStep(i, Rmin));
+        wanted = min(wanted, commands.timeStep(i, Rmin, fraction));
+    }
+
+    const scalar step = mesh_.time().deltaTValue();
+
+    if (restarted())
+    {
+        deltaT_ = restart_.get<scalar>("deltaT");
+    }
+    else if (dict.found("deltaT"))
+    {
+        deltaT_ = userEntry::positive(dict, "deltaT", dimTime);
+    }
+    else
+    {
+        deltaT_ = step/std::ceil(step/wanted*(1 - 1e-12));
+    }
+
+    if (deltaT_ > stable)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The sub-step " << deltaT_ << " s is above the stability limit "
+            << stable << " s of the contact model (smallest radius "
+            << Rmin << " m)" << nl
+            << "Lower timeStep.deltaT (or fraction, now " << fraction
+            << "; recommended 0.1: " << wanted*0.1/fraction << " s)"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::dew::liggghtsEngine::chooseUnits()
+{
+    if (restarted())
+    {
+        units_.length = restart_.get<scalar>("unitLength");
+        units_.mass = restart_.get<scalar>("unitMass");
+        units_.time = restart_.get<scalar>("unitTime");
+        return;
+    }
+
+    if (dict_.found("commands"))
+    {
+        // Lines of the user are in SI, so all of them are
+        return;
+    }
+
+    units_.length = powerOfTwo(maxDiameter_);
+    units_.mass =
+        powerOfTwo(materials_->density(0)*pow3(maxDiameter_));
+    units_.time = powerOfTwo(1024*deltaT_);
+}
+
+
+void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
+{
+    commands.units(units_);
+    commands.begin();
+
+    // Walls may reach beyond the mesh, the engine's box must hold them
+    PtrList<particleWall> walls;
+    List<wallShape> shapes;
+    boundBox wide(box_.bounds());
+
+    for (const entry& e : dict_.subOrEmptyDict("walls"))
+    {
+        walls.append
+        (
+            particleWall::New(e.keyword(), e.dict(), materials_(), mesh_).ptr()
+        );
+        const particleWall& w = walls.last();
+        shapes.append(w.shape());
+
+        boundBox own(shapes.last().corners, false);
+        own.reduce();
+        if (own.valid())
+        {
+            wide.add
+            (
+                w.motion().swept(own, mesh_.time().endTime().value())
+            );
+        }
+    }
+
+    // A particle leaves when its centre is a radius beyond the last of them
+    for (direction k = 0; k < 3; k++)
+    {
+        if (box_.periodic(k))
+        {
+            wide.min()[k] = box_.bounds().min()[k];
+            wide.max()[k] = box_.bounds().max()[k];
+        }
+        else
+        {
+            wide.min()[k] -= 0.5*maxDiameter_;
+            wide.max()[k] += 0.5*maxDiameter_;
+        }
+    }
+
+    if (restarted())
+    {
+        commands.readRestart(checkedRestartFile());
+    }
+    else
+    {
+        commands.box(box_, wide, materials_->size());
+    }
+
+    commands.contact
+    (
+        0.5*maxDiameter_*userEntry::positiveOr(dict_, "skin", dimless, 0.3)
+    );
+
+    const fileName path(mesh_.time().globalPath()/folder);
+    forAll(walls, i)
+    {
+        commands.wallOf(walls[i], shapes[i], path/(walls[i].name() + ".stl"));
+    }
+
+    if (heat_)
+    {
+        commands.conduction(293.15);
+    }
+    commands.end(deltaT_, true);
+
+    if (dict_.found("commands"))
+    {
+        commands.native(dict_.get<List<string>>("commands"));
+    }
+}
+
+
+void Foam::dew::liggghtsEngine::nativeInput(DynamicList<std::string>& lines)
+{
+    if (restarted())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "A case with the entry 'input' cannot go on from a restart:"
+            << " its input file starts from the beginning" << nl
+            << "Use the generated set-up, or start at time 0"
+            << exit(FatalIOError);
+    }
+
+    fileName path(dict_.get<fileName>("input"));
+    path.expand();
+    if (!path.isAbsolute())
+    {
+        path = mesh_.time().globalPath()/path;
+    }
+
+    bool found = Pstream::master() && isFile(path);
+    Pstream::scatter(found);
+    if (!found)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "No file " << path << " (entry 'input')" << nl
+            << "The path counts from the case"
+            << exit(FatalIOError);
+    }
+
+    lines.append("include \"" + path + '"');
+    lines.append("fix integrate all dew/integrate");
+
+    if (dict_.found("commands"))
+    {
+        for (const string& line : dict_.get<List<string>>("commands"))
+        {
+            lines.append(line);
+        }
+    }
+}
+
+
+void Foam::dew::liggghtsEngine::execute(const UList<std::string>& lines)
+{
+    if (Pstream::master())
+    {
+        std::ofstream os(mesh_.time().globalPath()/folder/"in.particles");
+        os.precision(17);
+        os  << "# Made from constant/particleProperties\n# One engine unit: "
+            << units_.length << " m, " << units_.mass << " kg, "
+            << units_.time << " s\n";
+
+        for (const std::string& line : lines)
+        {
+            os << line << '\n';
+        }
+    }
+
+    for (const std::string& line : lines)
+    {
+        library_.call
+        (
+            "command '" + line + "'",
+            [&line](liggghtsBinding& e) { e.command(line); }
+        );
+    }
+}
+
+
+void Foam::dew::liggghtsEngine::printSetup() const
+{
+    Info<< "Particles: " << ledger_.particles;
+    if (maxDiameter_ > 0)
+    {
+        Info<< ", up to d " << maxDiameter_ << " m";
+    }
+    Info<< ", sub-step " << deltaT_ << " s";
+    if (restarted())
+    {
+        Info<< ", continued from the restart of time "
+            << mesh_.time().timeName();
+    }
+    Info<< nl << "Engine: " << library_.engine().version().c_str()
+        << ", one unit is " << units_.length << " m, " << units_.mass
+        << " kg, " << units_.time << " s" << nl
+        << "Gravity: " << g_ << (frameAcceleration_ ? " and a shaken frame" : "")
+        << nl << endl;
+}
+
+
+Foam::fileName Foam::dew::liggghtsEngine::checkedRestartFile() const
+{
+    // The master reads it for all ranks
+    const fileName path
+    (
+        restartPath(mesh_.time().path()/mesh_.time().timeName())
+       /restart_.get<fileName>("file")
+    );
+
+    if (Pstream::master())
+    {
+        const std::pair<long, unsigned long> found(checksum(path));
+        const long length = std::stol(restart_.get<string>("bytes"));
+        const unsigned long crc = std::stoul(restart_.get<string>("crc32"));
+
+        if (found.first != length || found.second != crc)
+        {
+            FatalIOErrorInFunction(restart_)
+                << "The restart file " << path << " is damaged: "
+                << found.first << " bytes, checksum " << found.second
+                << "; written were " << length << " bytes, checksum " << crc
+                << nl << "Start from an earlier time, or from the beginning"
+                << exit(FatalIOError);
+        }
+    }
+
+    return path;
+}
+
+
+Foam::dew::newParticles Foam::dew::liggghtsEngine::converted
+(
+    const particleList& list,
+    const label id
+) const
+{
+    newParticles p;
+    const label n = list.size();
+
+    const auto copy = [n](const UList<vector>& from, std::vector<double>& to)
+    {
+        to.resize(3*n);
+        if (n)
+        {
+            std::memcpy(to.data(), from.cdata(), 3*n*sizeof(double));
+        }
+    };
+
+    copy(list.x, p.x);
+    copy(list.v, p.v);
+    copy(list.omega, p.omega);
+    p.d.assign(list.d.begin(), list.d.end());
+    p.T.assign(list.T.begin(), list.T.end());
+
+    for (label i = 0; i < n; i++)
+    {
+        p.id.push_back(id + i);
+        p.type.push_back(list.type[i] + 1);
+        p.rho.push_back(materials_->density(list.type[i]));
+    }
+
+    return p;
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::dew::liggghtsEngine::place
+(
+    const particleList& list,
+    const label id
+)
+{
+    needsSetup_ = true;
+    const newParticles p(converted(list, id));
+
+    return library_.call
+    (
+        "placing particles",
+        [&p](liggghtsBinding& e) { return label(e.add(p)); }
+    );
+}
+
+
+void Foam::dew::liggghtsEngine::overlapping
+(
+    const particleList& list,
+    const scalar share,
+    boolList& hit
+) const
+{
+    const newParticles p(converted(list, 1));
+    std::vector<char> found;
+
+    library_.call
+    (
+        "looking for overlaps",
+        [&](liggghtsBinding& e) { e.overlapping(p, share, found); }
+    );
+
+    forAll(hit, i)
+    {
+        hit[i] = found[i];
+    }
+}
+
+
+Foam::label Foam::dew::liggghtsEngine::advance
+(
+    const bulkForces& b,
+    const scalar t0,
+    const scalar t1
+)
+{
+    const scalar steps = (t1 - t0)/deltaT_;
+    const label n = label(std::round(steps));
+
+    if (n < 1 || mag(steps - n) > 1e-6*max(steps, scalar(1)))
+    {
+        FatalErrorInFunction
+            << "The time step " << t1 - t0 << " s is " << steps
+            << " sub-steps of " << deltaT_ << " s; it must be a whole number"
+            << nl << "Change deltaT in system/controlDict, or timeStep.deltaT"
+            << " in constant/particleProperties"
+            << exit(FatalError);
+    }
+
+    bulkForcesView view;
+    view.Su = data(b.Su);
+    view.Sp = data(b.Sp);
+    view.U = data(b.U);
+    view.Tu = data(b.Tu);
+    view.Tp = data(b.Tp);
+    view.Omega = data(b.Omega);
+    view.Qu = data(b.Qu);
+    view.Qp = data(b.Qp);
+    view.Tf = data(b.Tf);
+
+    library_.call
+    (
+        "advancing to time " + mesh_.time().timeName(),
+        [&](liggghtsBinding& e)
+        {
+            if (needsSetup_)
+            {
+                // Bulk forces follow the state's order, set-up changes it
+                e.push(view);
+                e.setup();
+            }
+            else
+            {
+                e.push(view);
+            }
+            e.run(n);
+        }
+    );
+    needsSetup_ = false;
+
+    return n;
+}
+
+
+void Foam::dew::liggghtsEngine::pull()
+{
+    library_.call
+    (
+        "reading the state",
+        [this](liggghtsBinding& e)
+        {
+            if (needsSetup_)
+            {
+                e.setup();
+                needsSetup_ = false;
+            }
+
+            state_.setSize(e.size());
+
+            stateView s;
+            s.id = state_.id.data();
+            s.type = state_.type.data();
+            s.x = data(state_.x);
+            s.v = data(state_.v);
+            s.omega = data(state_.omega);
+            s.d = data(state_.d);
+            s.rho = data(state_.rho);
+            s.T = data(state_.T);
+            s.impulse = data(state_.impulse);
+            s.angularImpulse = data(state_.angularImpulse);
+            s.heat = data(state_.heat);
+            e.pull(s);
+
+            for (label& type : state_.type)
+            {
+                type--;
+            }
+
+            label n = 0;
+            scalar mass = 0;
+            vector impulse(Zero);
+            scalar heat = 0;
+            for (const departedParticle& p : e.departed())
+            {
+                n++;
+                mass += p.mass;
+                impulse += vector(p.impulse[0], p.impulse[1], p.impulse[2]);
+                heat += p.heat;
+            }
+            ledger_.departed = returnReduce(n, sumOp<label>());
+            ledger_.departedMass = returnReduce(mass, sumOp<scalar>());
+            ledger_.departedTotal += ledger_.departed;
+            ledger_.impulse += returnReduce(impulse, sumOp<vector>());
+            ledger_.heat += returnReduce(heat, sumOp<scalar>());
+
+            for (const std::string& warning : e.warnings())
+            {
+                if (Pstream::master())
+                {
+                    Info<< "Particle engine warns: " << warning.c_str()
+                        << endl;
+                }
+            }
+        }
+    );
+}
+
+
+void Foam::dew::liggghtsEngine::writeRestart
+(
+    dictionary& dict,
+    const fileName& path
+) const
+{
+    const fileName file("liggghts.restart");
+
+    library_.call
+    (
+        "writing the restart",
+        [&](liggghtsBinding& e) { e.writeRestart(path/file); }
+    );
+
+    std::pair<long, unsigned long> written(0, 0);
+    if (Pstream::master())
+    {
+        written = checksum(path/file);
+    }
+
+    dict.add("file", file);
+    dict.add("bytes", string(std::to_string(written.first)));
+    dict.add("crc32", string(std::to_string(written.second)));
+    dict.add("deltaT", deltaT_);
+    dict.add("unitLength", units_.length);
+    dict.add("unitMass", units_.mass);
+    dict.add("unitTime", units_.time);
+}

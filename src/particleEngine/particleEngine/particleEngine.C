@@ -1,0 +1,433 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "particleEngine.H"
+#include "clockTime.H"
+#include "IFstream.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "polyMesh.H"
+#include "sphereGrid.H"
+#include "Time.H"
+#include "userEntry.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+    defineTypeName(particleEngine);
+    defineRunTimeSelectionTable(particleEngine, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::particleEngine::particleEngine
+(
+    const polyMesh& mesh,
+    const dictionary& dict
+)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            "particles",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    dict_(dict),
+    box_(mesh, dict),
+    heat_(dict.getOrDefault<Switch>("heat", Switch(false))),
+    nextId_(1),
+    engineTime_(0)
+{
+    state_.thermal = heat_;
+
+    if (dict.found("materials"))
+    {
+        materials_.reset
+        (
+            new materials
+            (
+                dict.subDict("materials"),
+                dict.subOrEmptyDict("contacts"),
+                heat_
+            )
+        );
+
+        const dictionary& insertionDict = dict.subOrEmptyDict("insertion");
+        insertion_.setSize(insertionDict.size());
+        label n = 0;
+
+        for (const entry& e : insertionDict)
+        {
+            insertion_.set
+            (
+                n++,
+                insertionModel::New
+                (
+                    e.keyword(), e.dict(), materials_(), box_, mesh.time()
+                )
+            );
+        }
+    }
+
+    readRestart();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fileName Foam::dew::particleEngine::restartPath
+(
+    const fileName& timePath
+) const
+{
+    return timePath/"uniform"/"particles";
+}
+
+
+void Foam::dew::particleEngine::readRestart()
+{
+    // Processor directories link or copy "uniform"; the master's is read
+    const fileName path
+    (
+        restartPath(mesh_.time().path()/mesh_.time().timeName())
+    );
+    bool found = Pstream::master() && isFile(path/"engine");
+    Pstream::scatter(found);
+
+    if (!found)
+    {
+        return;
+    }
+
+    if (Pstream::master())
+    {
+        IFstream is(path/"engine");
+        restart_ = dictionary(is);
+        restart_.name() = path/"engine";
+    }
+    Pstream::scatter(restart_);
+    restart_.name() = path/"engine";
+
+    if (!restart_.found("complete"))
+    {
+        FatalIOErrorInFunction(restart_)
+            << "The restart of the particles at time "
+            << mesh_.time().timeName() << " is truncated" << nl
+            << "Start from an earlier time, or from the beginning"
+            << exit(FatalIOError);
+    }
+
+    if (restart_.get<word>("engine") != dict_.get<word>("engine"))
+    {
+        FatalIOErrorInFunction(restart_)
+            << "The restart was written by the engine "
+            << restart_.get<word>("engine") << ", the case asks for "
+            << dict_.get<word>("engine")
+            << exit(FatalIOError);
+    }
+
+    nextId_ = restart_.get<label>("nextId");
+    ledger_.insertedTotal = restart_.get<label>("inserted");
+    ledger_.departedTotal = restart_.get<label>("departed");
+
+    for (insertionModel& model : insertion_)
+    {
+        const dictionary* dict =
+            restart_.subDict("insertion").findDict(model.name());
+        if (dict)
+        {
+            model.read(*dict);
+        }
+    }
+}
+
+
+void Foam::dew::particleEngine::checkInside
+(
+    const insertionModel& model,
+    const particleList& list
+) const
+{
+    (void)mesh_.tetBasePtIs();      // built by all ranks together
+
+    const boundBox local(mesh_.points(), false);
+    labelList inside(list.size(), Zero);
+
+    forAll(inside, i)
+    {
+        inside[i] =
+            local.contains(list.x[i]) && mesh_.findCell(list.x[i]) >= 0;
+    }
+    Pstream::listCombineGather(inside, maxEqOp<label>());
+
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    label outside = 0, first = -1;
+    forAll(inside, i)
+    {
+        if (!inside[i])
+        {
+            outside++;
+            first = first < 0 ? i : first;
+        }
+    }
+
+    if (outside)
+    {
+        FatalIOErrorInFunction(model.dict())
+            << outside << " particles of insertion '" << model.name()
+            << "' lie outside the mesh; the first at " << list.x[first]
+            << nl << "The mesh spans " << mesh_.bounds() << nl
+            << "Move them, or change the region or the mesh"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::dew::particleEngine::insertInitial()
+{
+    const scalar share = userEntry::notNegativeOr
+    (
+        dict_, "overlapTolerance", dimless, 0.05
+    );
+
+    for (insertionModel& model : insertion_)
+    {
+        particleList list;
+
+        while (model.initial(list))
+        {
+            checkInside(model, list);
+
+            // Among themselves, and with those placed before
+            boolList hit(list.size(), false);
+            overlapping(list, share, hit);
+
+            sphereGrid grid(box_, 0.5*model.maxDiameter());
+            forAll(list.x, i)
+            {
+                const scalar r = 0.5*list.d[i];
+                const label j = grid.overlapping(list.x[i], r, share);
+                grid.append(list.x[i], r);
+
+                if (hit[i] || j >= 0)
+                {
+                    FatalIOErrorInFunction(model.dict())
+                        << "Particle " << nextId_ + i << " of insertion '"
+                        << model.name() << "' at " << list.x[i] << " with d "
+                        << list.d[i] << " overlaps with ";
+                    if (j >= 0)
+                    {
+                        FatalIOError
+                            << "particle " << nextId_ + j << " at "
+                            << list.x[j] << " with d " << list.d[j];
+                    }
+                    else
+                    {
+                        FatalIOError<< "one placed before it";
+                    }
+                    FatalIOError
+                        << nl << "by more than overlapTolerance (" << share
+                        << ") of the smaller radius. Move them, or raise"
+                        << " overlapTolerance in particleProperties"
+                        << exit(FatalIOError);
+                }
+            }
+
+            const label n = place(list, nextId_);
+
+            if (n != list.size())
+            {
+                FatalIOErrorInFunction(model.dict())
+                    << "Of " << list.size() << " particles only " << n
+                    << " lie in the engine's box; the mesh spans "
+                    << mesh_.bounds() << exit(FatalIOError);
+            }
+            nextId_ += n;
+            ledger_.insertedTotal += n;
+        }
+    }
+}
+
+
+void Foam::dew::particleEngine::insertDuring(const scalar t0, const scalar t1)
+{
+    ledger_.inserted = 0;
+    ledger_.waiting = 0;
+
+    for (insertionModel& model : insertion_)
+    {
+        particleList list;
+        scalar from = t0;
+
+        for (label attempt = 0; attempt < model.attempts(); attempt++)
+        {
+            model.propose(from, t1, list);
+            from = t1;
+
+            if (list.size() == 0)
+            {
+                break;
+            }
+
+            boolList hit(list.size(), false);
+            overlapping(list, 0, hit);
+
+            boolList in(hit.size());
+            forAll(in, i)
+            {
+                in[i] = !hit[i];
+            }
+            model.placed(in);
+            list.subset(in);
+
+            const label n = list.size() ? place(list, nextId_) : 0;
+            nextId_ += list.size();
+            ledger_.inserted += n;
+
+            if (n != list.size())
+            {
+                FatalIOErrorInFunction(model.dict())
+                    << "The region of insertion '" << model.name()
+                    << "' reaches out of the engine's box; the mesh spans "
+                    << mesh_.bounds() << exit(FatalIOError);
+            }
+        }
+
+        ledger_.waiting += model.waiting();
+    }
+
+    ledger_.insertedTotal += ledger_.inserted;
+}
+
+
+void Foam::dew::particleEngine::account()
+{
+    const label bad = state_.findNotFinite();
+    if (bad >= 0)
+    {
+        // On this rank only: no collective call on the way out
+        FatalErrorInFunction
+            << "Particle " << state_.id[bad] << " is not finite at time "
+            << mesh_.time().timeName() << nl
+            << "position " << state_.x[bad] << " velocity " << state_.v[bad]
+            << nl << "Look for a time step or force that is too large"
+            << exit(FatalError);
+    }
+
+    scalar energy = 0;
+    vector impulse(Zero);
+    scalar heat = 0;
+
+    for (label i = 0; i < state_.size(); i++)
+    {
+        energy += state_.kineticEnergy(i);
+        impulse += state_.impulse[i];
+        heat += heat_ ? state_.heat[i] : 0;
+    }
+
+    ledger_.particles = returnReduce(state_.size(), sumOp<label>());
+    ledger_.kineticEnergy = returnReduce(energy, sumOp<scalar>());
+    ledger_.impulse += returnReduce(impulse, sumOp<vector>());
+    ledger_.heat += returnReduce(heat, sumOp<scalar>());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const Foam::wordList& Foam::dew::particleEngine::materialNames() const
+{
+    return materials_ ? materials_->names() : wordList::null();
+}
+
+
+void Foam::dew::particleEngine::evolve(const bulkForces& forces)
+{
+    const scalar t1 = mesh_.time().value();
+    const scalar t0 = t1 - mesh_.time().deltaTValue();
+    const clockTime clock;
+
+    ledger_.impulse = Zero;
+    ledger_.heat = 0;
+
+    ledger_.subSteps = advance(forces, t0, t1);
+    insertDuring(t0, t1);
+    pull();
+
+    engineTime_ += clock.elapsedTime();
+
+    account();
+}
+
+
+bool Foam::dew::particleEngine::writeObject
+(
+    IOstream::streamFormat,
+    IOstream::versionNumber,
+    IOstream::compressionType,
+    const bool
+) const
+{
+    const fileName path
+    (
+        restartPath(mesh_.time().path()/mesh_.time().timeName())
+    );
+
+    if (Pstream::master())
+    {
+        mkDir(path);
+        rm(path/"engine");
+    }
+
+    // Entries pass through text: no digit may be lost
+    const unsigned int precision = IOstream::defaultPrecision(17);
+
+    dictionary dict;
+    dict.add("engine", dict_.get<word>("engine"));
+    dict.add("nextId", nextId_);
+    dict.add("inserted", ledger_.insertedTotal);
+    dict.add("departed", ledger_.departedTotal);
+
+    dictionary insertionDict;
+    for (const insertionModel& model : insertion_)
+    {
+        dictionary one;
+        model.write(one);
+        insertionDict.add(model.name(), one);
+    }
+    dict.add("insertion", insertionDict);
+
+    writeRestart(dict, path);
+
+    // Last: without it the restart does not exist
+    dict.add("complete", true);
+
+    if (Pstream::master())
+    {
+        OFstream os(path/"engine");
+        dict.write(os, false);
+    }
+
+    IOstream::defaultPrecision(precision);
+
+    return true;
+}

@@ -1,0 +1,194 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "prescribedEngine.H"
+#include "addToRunTimeSelectionTable.H"
+#include "polyMesh.H"
+#include "PstreamReduceOps.H"
+#include "sphereGrid.H"
+#include "Time.H"
+#include "userEntry.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+    defineTypeName(prescribedEngine);
+    addToRunTimeSelectionTable(particleEngine, prescribedEngine, dictionary);
+}
+}
+
+namespace
+{
+    // Particles dealt to one rank before the next one's turn
+    constexpr Foam::label block = 64;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::prescribedEngine::prescribedEngine
+(
+    const polyMesh& mesh,
+    const dictionary& dict
+)
+:
+    particleEngine(mesh, dict)
+{
+    userEntry::onlyThese
+    (
+        dict,
+        {
+            "FoamFile", "engine", "periodic", "heat", "overlapTolerance",
+            "materials", "insertion", "velocity", "coupling", "output"
+        }
+    );
+
+    if (!materials_)
+    {
+        FatalIOErrorInFunction(dict)
+            << "No materials: add the sub-dictionaries materials and insertion"
+            << exit(FatalIOError);
+    }
+
+    if (dict.found("velocity"))
+    {
+        velocity_ = Function1<vector>::New("velocity", dict);
+    }
+
+    // Those of a restart are the same ones, further on their path
+    nextId_ = 1;
+    ledger_.insertedTotal = 0;
+    insertInitial();
+
+    const scalar t = mesh.time().value();
+    advance(bulkForces(), t, t);
+    pull();
+    account();
+
+    Info<< "Particles: " << ledger_.particles << ", prescribed" << nl << endl;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::dew::prescribedEngine::displacement(const scalar t) const
+{
+    return velocity_ ? velocity_->integrate(0, t) : vector(Zero);
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::dew::prescribedEngine::place
+(
+    const particleList& list,
+    const label id
+)
+{
+    for (label i = 0; i < list.size(); i++)
+    {
+        if (((id + i - 1)/block) % Pstream::nProcs() != Pstream::myProcNo())
+        {
+            continue;
+        }
+
+        state_.id.append(id + i);
+        state_.type.append(list.type[i]);
+        state_.d.append(list.d[i]);
+        state_.rho.append(materials_->density(list.type[i]));
+        if (heat_)
+        {
+            state_.T.append(list.T[i]);
+        }
+        x0_.append(list.x[i]);
+    }
+    state_.x = x0_;
+    state_.setSize(x0_.size());
+
+    return list.size();
+}
+
+
+void Foam::dew::prescribedEngine::overlapping
+(
+    const particleList& list,
+    const scalar share,
+    boolList& hit
+) const
+{
+    scalar r = 0;
+    forAll(list.d, i)
+    {
+        r = max(r, 0.5*list.d[i]);
+    }
+    forAll(state_.d, i)
+    {
+        r = max(r, 0.5*state_.d[i]);
+    }
+
+    sphereGrid grid(box_, returnReduce(r, maxOp<scalar>()));
+    forAll(x0_, i)
+    {
+        grid.append(x0_[i], 0.5*state_.d[i]);
+    }
+
+    forAll(hit, i)
+    {
+        hit[i] = grid.overlapping(list.x[i], 0.5*list.d[i], share) >= 0;
+    }
+    Pstream::listCombineGather(hit, orEqOp<bool>());
+    Pstream::listCombineScatter(hit);
+}
+
+
+Foam::label Foam::dew::prescribedEngine::advance
+(
+    const bulkForces& b,
+    const scalar t0,
+    const scalar t1
+)
+{
+    const scalar dt = t1 - t0;
+    const vector v(velocity_ ? velocity_->value(t1) : vector(Zero));
+    const vector s(displacement(t1));
+
+    forAll(x0_, i)
+    {
+        state_.x[i] = box_.wrapped(x0_[i] + s);
+        state_.v[i] = v;
+        state_.omega[i] = Zero;
+
+        state_.impulse[i] = Zero;
+        state_.angularImpulse[i] = Zero;
+
+        if (b.Su.size()) state_.impulse[i] += dt*b.Su[i];
+        if (b.Sp.size()) state_.impulse[i] += dt*b.Sp[i]*(b.U[i] - v);
+        if (b.Tu.size()) state_.angularImpulse[i] += dt*b.Tu[i];
+        if (b.Tp.size()) state_.angularImpulse[i] += dt*b.Tp[i]*b.Omega[i];
+
+        if (heat_)
+        {
+            state_.heat[i] = 0;
+            if (b.Qu.size()) state_.heat[i] += dt*b.Qu[i];
+            if (b.Qp.size())
+            {
+                state_.heat[i] += dt*b.Qp[i]*(b.Tf[i] - state_.T[i]);
+            }
+        }
+    }
+
+    return 0;
+}
+
+
+void Foam::dew::prescribedEngine::pull()
+{
+    ledger_.departed = 0;
+    ledger_.departedMass = 0;
+}

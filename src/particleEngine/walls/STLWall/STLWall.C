@@ -1,0 +1,85 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "STLWall.H"
+#include "addToRunTimeSelectionTable.H"
+#include "OSspecific.H"
+#include "polyMesh.H"
+#include "Time.H"
+#include "triSurface.H"
+#include "userEntry.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+namespace walls
+{
+    defineTypeName(STLWall);
+    addToRunTimeSelectionTable(particleWall, STLWall, dictionary);
+}
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::walls::STLWall::STLWall
+(
+    const word& name,
+    const dictionary& dict,
+    const materials& mats,
+    const polyMesh& mesh
+)
+:
+    particleWall(name, dict, mats, mesh),
+    path_(dict.get<fileName>("file")),
+    scale_(userEntry::positiveOr(dict, "scale", dimless, 1))
+{
+    userEntry::onlyThese
+    (
+        dict, {"type", "file", "scale", "material", "motion", "T"}
+    );
+
+    path_.expand();
+    if (!path_.isAbsolute())
+    {
+        path_ = mesh.time().globalPath()/path_;
+    }
+
+    if (Pstream::master() && !isFile(path_))
+    {
+        FatalIOErrorInFunction(dict)
+            << "No file " << path_ << " (entry 'file' of wall " << name << ')'
+            << nl << "The path counts from the case"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::dew::wallShape Foam::dew::walls::STLWall::shape() const
+{
+    wallShape result;
+
+    if (Pstream::master())
+    {
+        const triSurface surface(path_);
+
+        for (const labelledTri& t : surface)
+        {
+            for (const label pointi : t)
+            {
+                result.corners.append(scale_*surface.points()[pointi]);
+            }
+        }
+    }
+
+    return result;
+}

@@ -1,0 +1,457 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "fixIntegrate.h"
+#include "../exponentialRelaxation.H"
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <sstream>
+
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_property_atom.h"
+#include "fix_property_global.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "properties.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+// Moment of inertia of a sphere over m R^2
+static const double inertia = 0.4;
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::dew::fixIntegrate::checkFinite(const double* v, const int i) const
+{
+    // One comparison catches NaN and infinity in any component
+    const double sum = std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]);
+
+    if (!(sum < 1e150))
+    {
+        const double* x = atom->x[i];
+        std::ostringstream os;
+        os.precision(9);
+        os  << "dew:nan " << atom->tag[i] << ' '
+            << x[0] << ' ' << x[1] << ' ' << x[2] << ' '
+            << update->ntimestep;
+        error->one(FLERR, os.str().c_str());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
+:
+    Fix(lmp, narg, arg),
+    data_(nullptr),
+    loaded_(false),
+    heated_(false),
+    maxRadius_(0),
+    temperature_(nullptr),
+    heatFlux_(nullptr),
+    capacity_(nullptr)
+{
+    if (narg != 3)
+    {
+        error->fix_error(FLERR, this, "takes no arguments");
+    }
+
+    time_integrate = 1;
+    create_attribute = 1;
+    restart_peratom = 1;
+    restart_pbc = 1;      // positions are wrapped into the box when written
+
+    grow_arrays(atom->nmax);
+    atom->add_callback(0);
+    atom->add_callback(1);
+
+    // Without a restart there is no atom->extra to come later
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        set_arrays(i);
+    }
+}
+
+
+Foam::dew::fixIntegrate::~fixIntegrate()
+{
+    atom->delete_callback(id, 0);
+    atom->delete_callback(id, 1);
+    memory->destroy(data_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+double* Foam::dew::fixIntegrate::temperature() const
+{
+    return temperature_ ? temperature_->vector_atom : nullptr;
+}
+
+
+void Foam::dew::fixIntegrate::expect(const double maxRadius, const bool heated)
+{
+    maxRadius_ = maxRadius;
+    heated_ = heated;
+}
+
+
+void Foam::dew::fixIntegrate::loaded(const bool anyTerm)
+{
+    loaded_ = anyTerm;
+
+    const double dt = update->dt;
+
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        double* d = data_[i];
+        const double m = atom->rmass[i];
+        const double R = atom->radius[i];
+        const double I = inertia*m*R*R;
+
+        d[halfStep] = 0.5*dt/m*phi1(0.5*dt/m*d[Sp]);
+        d[fullStep] = dt*dt/m*phi2(dt/m*d[Sp]);
+        d[halfTurn] = 0.5*dt/I*phi1(0.5*dt/I*d[Tp]);
+        d[heatStep] = 0;
+
+        if (heated_)
+        {
+            const double mc = m*capacity_->compute_vector(atom->type[i] - 1);
+            d[heatStep] = dt/mc*phi1(dt/mc*d[Qp]);
+        }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::keepForces()
+{
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        double* d = data_[i];
+        std::memcpy(d + keptForce, atom->f[i], 3*sizeof(double));
+        std::memcpy(d + keptTorque, atom->torque[i], 3*sizeof(double));
+        d[kept] = 1;
+    }
+}
+
+
+std::vector<Foam::dew::departedParticle> Foam::dew::fixIntegrate::departed()
+{
+    std::vector<departedParticle> result;
+    result.swap(departed_);
+    return result;
+}
+
+
+int Foam::dew::fixIntegrate::setmask()
+{
+    return
+        FixConst::INITIAL_INTEGRATE
+      | FixConst::FINAL_INTEGRATE
+      | FixConst::PRE_EXCHANGE;
+}
+
+
+void Foam::dew::fixIntegrate::init()
+{
+    if (!heated_)
+    {
+        return;
+    }
+
+    temperature_ = static_cast<FixPropertyAtom*>
+    (
+        modify->find_fix_property("Temp", "property/atom", "scalar", 0, 0, style)
+    );
+    heatFlux_ = static_cast<FixPropertyAtom*>
+    (
+        modify->find_fix_property
+        (
+            "heatFlux", "property/atom", "scalar", 0, 0, style
+        )
+    );
+    capacity_ = static_cast<FixPropertyGlobal*>
+    (
+        modify->find_fix_property
+        (
+            "thermalCapacity", "property/global", "peratomtype",
+            atom->get_properties()->max_type(), 0, style
+        )
+    );
+}
+
+
+void Foam::dew::fixIntegrate::setup(int)
+{
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        double* d = data_[i];
+
+        if (d[kept] > 0)
+        {
+            std::memcpy(atom->f[i], d + keptForce, 3*sizeof(double));
+            std::memcpy(atom->torque[i], d + keptTorque, 3*sizeof(double));
+            d[kept] = 0;
+        }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::initial_integrate(int)
+{
+    const int n = atom->nlocal;
+    const double dt = update->dt;
+    const double dtf = 0.5*dt*force->ftm2v;
+    const double dtfRotate = dtf/inertia;
+
+    double** x = atom->x;
+    double** v = atom->v;
+    double** f = atom->f;
+    double** omega = atom->omega;
+    double** torque = atom->torque;
+    const double* radius = atom->radius;
+    const double* rmass = atom->rmass;
+
+    if (heated_)
+    {
+        std::memset(heatFlux_->vector_atom, 0, n*sizeof(double));
+        temperature_->do_forward_comm();
+    }
+
+    if (!loaded_)
+    {
+        for (int i = 0; i < n; i++)
+        {
+            const double dtfm = dtf/rmass[i];
+            const double dtirotate = dtfRotate/(radius[i]*radius[i]*rmass[i]);
+
+            for (int k = 0; k < 3; k++)
+            {
+                v[i][k] += dtfm*f[i][k];
+                x[i][k] += dt*v[i][k];
+                omega[i][k] += dtirotate*torque[i][k];
+            }
+        }
+
+        return;
+    }
+
+    for (int i = 0; i < n; i++)
+    {
+        double* d = data_[i];
+        const double m = rmass[i];
+        const double I = inertia*m*radius[i]*radius[i];
+
+        for (int k = 0; k < 3; k++)
+        {
+            const double a = f[i][k] + d[Su+k] + d[Sp]*(d[U+k] - v[i][k]);
+            const double dv = a*d[halfStep];
+            x[i][k] += dt*v[i][k] + a*d[fullStep];
+            v[i][k] += dv;
+            d[impulse+k] += m*dv - dtf*f[i][k];
+
+            const double dw =
+                (
+                    torque[i][k] + d[Tu+k]
+                  + d[Tp]*(d[Omega+k] - omega[i][k])
+                )*d[halfTurn];
+            omega[i][k] += dw;
+            d[angularImpulse+k] += I*dw - dtf*torque[i][k];
+        }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::final_integrate()
+{
+    const int n = atom->nlocal;
+    const double dt = update->dt;
+    const double dtf = 0.5*dt*force->ftm2v;
+    const double dtfRotate = dtf/inertia;
+
+    double** v = atom->v;
+    double** f = atom->f;
+    double** omega = atom->omega;
+    double** torque = atom->torque;
+    const double* radius = atom->radius;
+    const double* rmass = atom->rmass;
+
+    if (!loaded_)
+    {
+        for (int i = 0; i < n; i++)
+        {
+            const double dtfm = dtf/rmass[i];
+            const double dtirotate = dtfRotate/(radius[i]*radius[i]*rmass[i]);
+
+            for (int k = 0; k < 3; k++)
+            {
+                v[i][k] += dtfm*f[i][k];
+                omega[i][k] += dtirotate*torque[i][k];
+            }
+            checkFinite(v[i], i);
+        }
+    }
+    else
+    {
+        for (int i = 0; i < n; i++)
+        {
+            double* d = data_[i];
+            const double m = rmass[i];
+            const double I = inertia*m*radius[i]*radius[i];
+
+            for (int k = 0; k < 3; k++)
+            {
+                const double dv =
+                    (f[i][k] + d[Su+k] + d[Sp]*(d[U+k] - v[i][k]))*d[halfStep];
+                v[i][k] += dv;
+                d[impulse+k] += m*dv - dtf*f[i][k];
+
+                const double dw =
+                    (
+                        torque[i][k] + d[Tu+k]
+                      + d[Tp]*(d[Omega+k] - omega[i][k])
+                    )*d[halfTurn];
+                omega[i][k] += dw;
+                d[angularImpulse+k] += I*dw - dtf*torque[i][k];
+            }
+            checkFinite(v[i], i);
+        }
+    }
+
+    if (heated_)
+    {
+        double* T = temperature_->vector_atom;
+        const double* q = heatFlux_->vector_atom;
+
+        for (int i = 0; i < n; i++)
+        {
+            double* d = data_[i];
+            const double mc =
+                rmass[i]*capacity_->compute_vector(atom->type[i] - 1);
+            const double dT =
+                (q[i] + d[Qu] + d[Qp]*(d[Tf] - T[i]))*d[heatStep];
+            T[i] += dT;
+            d[heat] += mc*dT - q[i]*dt;
+        }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::pre_exchange()
+{
+    // The engine is about to drop what has left through an open side
+    const int* periodic = domain->periodicity;
+
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        const double* x = atom->x[i];
+        bool out = false;
+
+        for (int k = 0; k < 3; k++)
+        {
+            out = out
+             || (
+                    !periodic[k]
+                 && (x[k] < domain->boxlo[k] || x[k] >= domain->boxhi[k])
+                );
+        }
+
+        if (out)
+        {
+            departedParticle p;
+            p.id = atom->tag[i];
+            p.mass = atom->rmass[i];
+            std::memcpy(p.x, x, sizeof(p.x));
+            std::memcpy(p.v, atom->v[i], sizeof(p.v));
+            std::memcpy(p.impulse, data_[i] + impulse, sizeof(p.impulse));
+            p.heat = data_[i][heat];
+            departed_.push_back(p);
+        }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::grow_arrays(int nmax)
+{
+    memory->grow(data_, nmax, int(nColumns), "dew/integrate:data");
+}
+
+
+void Foam::dew::fixIntegrate::copy_arrays(int i, int j, int)
+{
+    std::memcpy(data_[j], data_[i], nColumns*sizeof(double));
+}
+
+
+void Foam::dew::fixIntegrate::set_arrays(int i)
+{
+    std::memset(data_[i], 0, nColumns*sizeof(double));
+
+    // A particle without bulk terms still steps by dt/m
+    const double dt = update->dt;
+    const double m = atom->rmass[i];
+    const double R = atom->radius[i];
+
+    if (m > 0)
+    {
+        data_[i][halfStep] = 0.5*dt/m;
+        data_[i][fullStep] = 0.5*dt*dt/m;
+        data_[i][halfTurn] = 0.5*dt/(inertia*m*R*R);
+        data_[i][heatStep] =
+            capacity_
+          ? dt/(m*capacity_->compute_vector(atom->type[i] - 1))
+          : 0;
+    }
+}
+
+
+int Foam::dew::fixIntegrate::pack_exchange(int i, double* buf)
+{
+    std::memcpy(buf, data_[i], nColumns*sizeof(double));
+    return nColumns;
+}
+
+
+int Foam::dew::fixIntegrate::unpack_exchange(int i, double* buf)
+{
+    std::memcpy(data_[i], buf, nColumns*sizeof(double));
+    return nColumns;
+}
+
+
+int Foam::dew::fixIntegrate::pack_restart(int i, double* buf)
+{
+    buf[0] = nColumns + 1;
+    std::memcpy(buf + 1, data_[i], nColumns*sizeof(double));
+    return nColumns + 1;
+}
+
+
+void Foam::dew::fixIntegrate::unpack_restart(int i, int nth)
+{
+    const double* extra = atom->extra[i];
+
+    int m = 0;
+    for (int k = 0; k < nth; k++)
+    {
+        m += static_cast<int>(extra[m]);
+    }
+    std::memcpy(data_[i], extra + m + 1, nColumns*sizeof(double));
+}
+
+
+double Foam::dew::fixIntegrate::memory_usage()
+{
+    return double(atom->nmax)*nColumns*sizeof(double);
+}

@@ -1,0 +1,132 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+/*
+Class
+    Foam::dew::fixIntegrate
+
+Description
+    fix ID all dew/integrate
+
+    The time integrator of the particles: velocity Verlet in which the bulk
+    forces Sp (U - v) + Su, the bulk torques Tp (Omega - omega) + Tu and the
+    bulk heat Qp (Tf - T) + Qu are integrated exactly (exponentialRelaxation)
+    with the particle's current velocity at every sub-step. Without them it is
+    the velocity Verlet step of fix nve/sphere, operation by operation.
+
+    What a particle received from these terms, the impulse m dv - F dt (and
+    angular impulse and heat), is accumulated with it, migrates with it and is
+    written to restarts. So are force and torque of the last sub-step, because
+    damping contact forces depend on the half-step velocity and cannot be
+    recomputed: a run continued from a restart, or after an insertion, starts
+    from the very forces it was left with.
+
+    Errors: a velocity that is not a number, with id, position and step.
+
+SourceFiles
+    fixIntegrate.cpp
+\*---------------------------------------------------------------------------*/
+
+#ifndef dew_fixIntegrate_h
+#define dew_fixIntegrate_h
+
+#include <mpi.h>
+#include <vector>
+#include "fix.h"
+#include "departedParticle.H"
+
+namespace LAMMPS_NS { class FixPropertyAtom; class FixPropertyGlobal; }
+
+namespace Foam
+{
+namespace dew
+{
+
+class fixIntegrate
+:
+    public LAMMPS_NS::Fix
+{
+public:
+
+    //- Columns of what is stored with each particle, engine units
+    enum column
+    {
+        Su = 0, Sp = 3, U = 4,
+        Tu = 7, Tp = 10, Omega = 11,
+        Qu = 14, Qp = 15, Tf = 16,
+        impulse = 17, angularImpulse = 20, heat = 23,
+        keptForce = 24, keptTorque = 27, kept = 30,
+        // derived from the above at the start of a call: dt/m phi(...)
+        halfStep = 31, fullStep = 32, halfTurn = 33, heatStep = 34,
+        nColumns = 35
+    };
+
+private:
+
+    //- nColumns values a particle
+    double** data_;
+
+    //- Are there bulk terms at all?
+    bool loaded_, heated_;
+
+    double maxRadius_;
+
+    LAMMPS_NS::FixPropertyAtom *temperature_, *heatFlux_;
+    LAMMPS_NS::FixPropertyGlobal* capacity_;
+
+    std::vector<departedParticle> departed_;
+
+    void checkFinite(const double* v, int i) const;
+
+public:
+
+    fixIntegrate(LAMMPS_NS::LAMMPS*, int narg, char** arg);
+
+    ~fixIntegrate();
+
+    double* operator[](int i) { return data_[i]; }
+    const double* operator[](int i) const { return data_[i]; }
+
+    //- Temperature array of the engine, null without a heat balance
+    double* temperature() const;
+
+    void expect(double maxRadius, bool heated);
+
+    //- Bulk terms have been written: which, and the derived columns
+    void loaded(bool anyTerm);
+
+    //- Store force and torque so that the next setup returns to them
+    void keepForces();
+
+    std::vector<departedParticle> departed();
+
+    // Interface of the engine
+
+        int setmask() override;
+        void init() override;
+        void setup(int) override;
+        void initial_integrate(int) override;
+        void final_integrate() override;
+        void pre_exchange() override;
+
+        double min_rad(int) override { return maxRadius_; }
+        double max_rad(int) override { return maxRadius_; }
+
+        void grow_arrays(int) override;
+        void copy_arrays(int i, int j, int) override;
+        void set_arrays(int) override;
+        int pack_exchange(int, double*) override;
+        int unpack_exchange(int, double*) override;
+        int pack_restart(int, double*) override;
+        void unpack_restart(int, int) override;
+        int size_restart(int) override { return nColumns + 1; }
+        int maxsize_restart() override { return nColumns + 1; }
+        double memory_usage() override;
+};
+
+} // End namespace dew
+} // End namespace Foam
+
+#endif
