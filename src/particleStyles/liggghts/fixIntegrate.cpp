@@ -20,6 +20,7 @@
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "properties.h"
 #include "update.h"
 
@@ -27,6 +28,9 @@ using namespace LAMMPS_NS;
 
 // Moment of inertia of a sphere over m R^2
 static const double inertia = 0.4;
+
+// Distance up to which ended contacts are noticed, over the sum of radii
+static const double touchShell = 1.01;
 
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -71,6 +75,12 @@ Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
     create_attribute = 1;
     restart_peratom = 1;
     restart_pbc = 1;      // positions are wrapped into the box when written
+
+    // Without a shell around touch, where it notes that contacts have ended,
+    // the engine forgets a finished contact only when it rebuilds its lists:
+    // a second touch before that would start with the first one's tangential
+    // spring, and results would depend on when lists are built
+    neighbor->register_contact_dist_factor(touchShell);
 
     grow_arrays(atom->nmax);
     atom->add_callback(0);

@@ -664,6 +664,9 @@ void Foam::dew::liggghtsEmbedded::writeRestart(const std::string& file)
     integrator().keepForces();
     lmp_->atom->natoms = total();
 
+    // Contact histories from the neighbour lists to their particles
+    lmp_->modify->setup_pre_exchange();
+
     std::vector<char> name(file.begin(), file.end());
     name.push_back('\0');
     WriteRestart(lmp_).write(name.data());

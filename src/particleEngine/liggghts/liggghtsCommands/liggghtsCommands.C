@@ -353,11 +353,12 @@ void Foam::dew::liggghtsCommands::contact(const scalar skin)
 void Foam::dew::liggghtsCommands::wallOf
 (
     const particleWall& w,
+    const word& part,
     const wallShape& shape,
     const fileName& stlPath
 )
 {
-    const std::string name("wall_" + w.name());
+    const std::string name("wall_" + part);
     const std::string type(std::to_string(w.material() + 1));
     const std::string axis(1, "xyz"[shape.axis]);
     const point p(shape.position/units_.length);
@@ -393,7 +394,7 @@ void Foam::dew::liggghtsCommands::wallOf
     if (Pstream::master())
     {
         std::ofstream os(stlPath);
-        os << "solid " << w.name() << '\n';
+        os << "solid " << part << '\n';
 
         for (label i = 0; i < shape.corners.size(); i += 3)
         {
@@ -411,10 +412,10 @@ void Foam::dew::liggghtsCommands::wallOf
             }
             os << " endloop\nendfacet\n";
         }
-        os << "endsolid " << w.name() << '\n';
+        os << "endsolid " << part << '\n';
     }
 
-    const std::string mesh("mesh_" + w.name());
+    const std::string mesh("mesh_" + part);
     add
     (
         "fix " + mesh + " all mesh/surface file \"" + stlPath + "\" type "
@@ -426,7 +427,7 @@ void Foam::dew::liggghtsCommands::wallOf
     {
         add
         (
-            "fix move_" + w.name() + " all move/mesh mesh " + mesh + ' '
+            "fix move_" + part + " all move/mesh mesh " + mesh + ' '
           + w.motion().engineArguments(units_)
         );
     }

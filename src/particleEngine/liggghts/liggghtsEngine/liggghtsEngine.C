@@ -343,7 +343,7 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
 
     // Walls may reach beyond the mesh, the engine's box must hold them
     PtrList<particleWall> walls;
-    List<wallShape> shapes;
+    List<List<wallShape>> shapes;
     boundBox wide(box_.bounds());
 
     for (const entry& e : dict_.subOrEmptyDict("walls"))
@@ -353,16 +353,19 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
             particleWall::New(e.keyword(), e.dict(), materials_(), mesh_).ptr()
         );
         const particleWall& w = walls.last();
-        shapes.append(w.shape());
+        shapes.append(w.shapes());
 
-        boundBox own(shapes.last().corners, false);
-        own.reduce();
-        if (own.valid())
+        for (const wallShape& shape : shapes.last())
         {
-            wide.add
-            (
-                w.motion().swept(own, mesh_.time().endTime().value())
-            );
+            boundBox own(shape.corners, false);
+            own.reduce();
+            if (own.valid())
+            {
+                wide.add
+                (
+                    w.motion().swept(own, mesh_.time().endTime().value())
+                );
+            }
         }
     }
 
@@ -398,7 +401,17 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
     const fileName path(mesh_.time().globalPath()/folder);
     forAll(walls, i)
     {
-        commands.wallOf(walls[i], shapes[i], path/(walls[i].name() + ".stl"));
+        forAll(shapes[i], part)
+        {
+            const word name
+            (
+                walls[i].name() + (part ? "_" + Foam::name(part) : "")
+            );
+            commands.wallOf
+            (
+                walls[i], name, shapes[i][part], path/(name + ".stl")
+            );
+        }
     }
 
     if (heat_)

@@ -64,7 +64,8 @@ Foam::dew::walls::STLWall::STLWall
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::dew::wallShape Foam::dew::walls::STLWall::shape() const
+Foam::List<Foam::dew::wallShape>
+Foam::dew::walls::STLWall::shapes() const
 {
     wallShape result;
 
@@ -81,5 +82,5 @@ Foam::dew::wallShape Foam::dew::walls::STLWall::shape() const
         }
     }
 
-    return result;
+    return List<wallShape>(1, result);
 }

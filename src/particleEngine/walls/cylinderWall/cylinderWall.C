@@ -56,7 +56,8 @@ Foam::dew::walls::cylinderWall::cylinderWall
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::dew::wallShape Foam::dew::walls::cylinderWall::shape() const
+Foam::List<Foam::dew::wallShape>
+Foam::dew::walls::cylinderWall::shapes() const
 {
     wallShape result;
     result.what = wallShape::cylinder;
@@ -71,5 +72,5 @@ Foam::dew::wallShape Foam::dew::walls::cylinderWall::shape() const
         }
     }
 
-    return result;
+    return List<wallShape>(1, result);
 }

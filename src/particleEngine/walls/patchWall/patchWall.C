@@ -59,50 +59,82 @@ Foam::dew::walls::patchWall::patchWall
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::dew::wallShape Foam::dew::walls::patchWall::shape() const
+Foam::List<Foam::dew::wallShape>
+Foam::dew::walls::patchWall::shapes() const
 {
     const boundBox& bb = mesh_.bounds();
-    const vector span(bb.span());
+    const scalar small = 1e-6*bb.mag();
 
-    // Does it cover one side of the bounding box, and nothing else?
-    scalar area = 0;
-    boundBox own(boundBox::invertedBox);
-    for (const label patchi : patches_)
+    // A side of the bounding box that is covered as a whole is a plane
+    const auto onSide = [&](const polyPatch& patch, const label facei, const label side)
     {
-        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
-        for (const face& f : patch)
+        const direction k = side/2;
+        const scalar limit = (side % 2 ? bb.max() : bb.min())[k];
+
+        for (const label pointi : patch[facei])
         {
-            area += f.mag(mesh_.points());
+            if (mag(mesh_.points()[pointi][k] - limit) > small)
+            {
+                return false;
+            }
         }
-        own.add(boundBox(patch.localPoints(), false));
-    }
-    reduce(area, sumOp<scalar>());
-    own.reduce();
+        return true;
+    };
 
-    wallShape result;
-    const scalar small = 1e-6*mag(span);
+    List<wallShape> result;
+    boolList covered(6, false);
 
-    for (direction k = 0; k < 3 && !motion().moves(); k++)
+    for (label side = 0; side < 6 && !motion().moves(); side++)
     {
-        const scalar side = span[(k + 1)%3]*span[(k + 2)%3];
+        const direction k = side/2;
 
-        if (own.span()[k] < small && mag(area - side) < 1e-6*side)
+        scalar area = 0;
+        for (const label patchi : patches_)
         {
-            result.what = wallShape::plane;
-            result.axis = k;
-            result.position = own.midpoint();
-            return result;
+            const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+            forAll(patch, facei)
+            {
+                if (onSide(patch, facei, side))
+                {
+                    area += patch[facei].mag(mesh_.points());
+                }
+            }
+        }
+        reduce(area, sumOp<scalar>());
+
+        const scalar whole = bb.span()[(k + 1)%3]*bb.span()[(k + 2)%3];
+        covered[side] = mag(area - whole) < 1e-6*whole;
+
+        if (covered[side])
+        {
+            wallShape plane;
+            plane.what = wallShape::plane;
+            plane.axis = k;
+            plane.position = side % 2 ? bb.max() : bb.min();
+            result.append(plane);
         }
     }
 
-    // Triangles of all ranks on the master
+    // Triangles of the other faces, of all ranks, on the master
     List<DynamicList<point>> corners(Pstream::nProcs());
     DynamicList<point>& mine = corners[Pstream::myProcNo()];
 
     for (const label patchi : patches_)
     {
-        for (const face& f : mesh_.boundaryMesh()[patchi])
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        forAll(patch, facei)
         {
+            bool done = false;
+            for (label side = 0; side < 6; side++)
+            {
+                done = done || (covered[side] && onSide(patch, facei, side));
+            }
+            if (done)
+            {
+                continue;
+            }
+
+            const face& f = patch[facei];
             faceList triangles(f.nTriangles());
             label n = 0;
             f.triangles(mesh_.points(), n, triangles);
@@ -116,14 +148,20 @@ Foam::dew::wallShape Foam::dew::walls::patchWall::shape() const
             }
         }
     }
+    const bool rest = returnReduce(mine.size(), sumOp<label>());
     Pstream::gatherList(corners);
 
-    if (Pstream::master())
+    if (rest)
     {
-        for (const DynamicList<point>& part : corners)
+        wallShape triangles;
+        if (Pstream::master())
         {
-            result.corners.append(part);
+            for (const DynamicList<point>& part : corners)
+            {
+                triangles.corners.append(part);
+            }
         }
+        result.append(triangles);
     }
 
     return result;

@@ -47,7 +47,8 @@ Foam::dew::walls::planeWall::planeWall
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::dew::wallShape Foam::dew::walls::planeWall::shape() const
+Foam::List<Foam::dew::wallShape>
+Foam::dew::walls::planeWall::shapes() const
 {
     wallShape result;
 
@@ -58,7 +59,7 @@ Foam::dew::wallShape Foam::dew::walls::planeWall::shape() const
             result.what = wallShape::plane;
             result.axis = k;
             result.position = point_;
-            return result;
+            return List<wallShape>(1, result);
         }
     }
 
@@ -117,5 +118,5 @@ Foam::dew::wallShape Foam::dew::walls::planeWall::shape() const
         result.corners.append(polygon[i]);
     }
 
-    return result;
+    return List<wallShape>(1, result);
 }
