@@ -9,6 +9,7 @@
 #include "Time.H"
 
 #include <cmath>
+#include <sstream>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -32,10 +33,15 @@ void Foam::dew::particleReport::print()
     const particleEngine::ledger& l = particles_.balance();
     const scalar wall = max(clock_.elapsedTime(), SMALL);
 
+    // Four digits are enough to read
+    std::ostringstream energy;
+    energy.precision(4);
+    energy << l.kineticEnergy;
+
     Info<< "Time = " << time_.timeName()
         << "  particles " << l.particles
         << "  sub-steps " << l.subSteps
-        << "  kinetic energy " << l.kineticEnergy << " J"
+        << "  kinetic energy " << energy.str().c_str() << " J"
         << "  wall " << 0.01*std::round(100*wall) << " s (engine "
         << std::round(100*particles_.engineTime()/wall) << " %, output "
         << std::round(100*output_.time()/wall) << " %)" << endl;

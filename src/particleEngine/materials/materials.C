@@ -27,6 +27,31 @@ Foam::dew::materials::materials
     static const dimensionSet dimCp(dimEnergy/dimMass/dimTemperature);
     static const dimensionSet dimK(dimPower/dimLength/dimTemperature);
 
+    for (const entry& e : contacts_)
+    {
+        // A pair's name is material.material
+        const word& key = e.keyword();
+        const auto dot = key.find('.');
+
+        if
+        (
+            e.isDict() && key != "default"
+         && (
+                dot == word::npos
+             || !names_.found(key.substr(0, dot))
+             || !names_.found(key.substr(dot + 1))
+            )
+        )
+        {
+            FatalIOErrorInFunction(contacts_)
+                << "Sub-dictionary '" << key << "' of " << contacts_.dictName()
+                << " names no pair of materials" << nl
+                << "Valid names: default, and material.material with the"
+                << " materials " << flatOutput(names_)
+                << exit(FatalIOError);
+        }
+    }
+
     if (names_.empty())
     {
         FatalIOErrorInFunction(materialsDict)
@@ -38,7 +63,7 @@ Foam::dew::materials::materials
 
     forAll(names_, i)
     {
-        const dictionary& dict = materialsDict.subDict(names_[i]);
+        const dictionary& dict = userEntry::subDict(materialsDict, names_[i]);
 
         userEntry::onlyThese
         (
@@ -50,7 +75,7 @@ Foam::dew::materials::materials
         );
 
         E_[i] = userEntry::positive(dict, "youngsModulus", dimPressure);
-        nu_[i] = userEntry::within(dict, "poissonsRatio", -0.999, 0.5);
+        nu_[i] = userEntry::within(dict, "poissonsRatio", 0, 0.5);
         rho_[i] = userEntry::positive(dict, "density", dimDensity);
 
         if (heat)
@@ -132,23 +157,23 @@ Foam::scalar Foam::dew::materials::pair
     const dimensionSet& dims,
     const label i,
     const label j,
-    const bool zeroAllowed,
+    const scalar above,
     const scalar high
 ) const
 {
     const dictionary& dict = pairDict(i, j);
+    const scalar value = userEntry::notNegative(dict, key, dims);
 
-    const scalar value =
-        zeroAllowed
-      ? userEntry::notNegative(dict, key, dims)
-      : userEntry::positive(dict, key, dims);
-
-    if (value > high)
+    if (!(value > above) || value > high)
     {
         FatalIOErrorInFunction(dict)
             << "Entry '" << key << "' in " << dict.dictName() << " is "
-            << value << nl << "It must not exceed " << high
-            << exit(FatalIOError);
+            << value << nl << "It must be greater than " << above;
+        if (high < GREAT)
+        {
+            FatalIOError<< " and not exceed " << high;
+        }
+        FatalIOError<< exit(FatalIOError);
     }
 
     return value;

@@ -69,13 +69,32 @@ Foam::dew::particleBox::particleBox
             }
         }
 
+        scalar area = 0;
+        forAll(patches, otheri)
+        {
+            const processorCyclicPolyPatch* proc =
+                isA<processorCyclicPolyPatch>(patches[otheri]);
+
+            if (otheri == patchi || (proc && proc->referPatchID() == patchi))
+            {
+                area += sum(mag(patches[otheri].faceAreas()));
+            }
+        }
+        reduce(area, sumOp<scalar>());
+
+        if (axis >= 0)
+        {
+            const scalar side = span[(axis + 1)%3]*span[(axis + 2)%3];
+            axis = mag(area - side) < tolerance*side ? axis : -1;
+        }
+
         if (axis < 0 || rotated)
         {
             FatalIOErrorInFunction(dict)
                 << "Cyclic patch " << cyclic.name() << " joins faces "
                 << sep << " apart; the mesh spans " << span << nl
-                << "Particles can only pass cyclic patches that join opposite"
-                << " faces of the mesh's bounding box along x, y or z."
+                << "Particles can only pass cyclic patches that join whole opposite"
+                << " sides of the mesh's bounding box along x, y or z."
                 << " Use other patches, or walls"
                 << exit(FatalIOError);
         }
@@ -104,7 +123,7 @@ Foam::dew::particleBox::particleBox
         {
             FatalIOErrorInFunction(dict)
                 << "Cyclic mismatch: entry 'periodic' is "
-                << dict.get<wordList>("periodic")
+                << flatOutput(dict.get<wordList>("periodic"))
                 << " but the mesh is cyclic along (x y z) = "
                 << periodic_ << nl
                 << "Make the patches cyclic in constant/polyMesh/boundary"

@@ -6,7 +6,7 @@
 
 #include "particleEngine.H"
 #include "clockTime.H"
-#include "IFstream.H"
+#include "IStringStream.H"
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "polyMesh.H"
@@ -15,6 +15,8 @@
 #include "userEntry.H"
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -56,19 +58,29 @@ Foam::dew::particleEngine::particleEngine
 {
     state_.thermal = heat_;
 
+    if (!(mesh.time().deltaTValue() > 0))
+    {
+        FatalErrorInFunction
+            << "Entry 'deltaT' in system/controlDict is "
+            << mesh.time().deltaTValue() << nl
+            << "It must be greater than zero"
+            << exit(FatalError);
+    }
+
     if (dict.found("materials"))
     {
         materials_.reset
         (
             new materials
             (
-                dict.subDict("materials"),
-                dict.subOrEmptyDict("contacts"),
+                userEntry::subDict(dict, "materials"),
+                userEntry::optionalDict(dict, "contacts"),
                 heat_
             )
         );
 
-        const dictionary& insertionDict = dict.subOrEmptyDict("insertion");
+        const dictionary& insertionDict =
+            userEntry::optionalDict(dict, "insertion");
         insertion_.setSize(insertionDict.size());
         label n = 0;
 
@@ -79,7 +91,11 @@ Foam::dew::particleEngine::particleEngine
                 n++,
                 insertionModel::New
                 (
-                    e.keyword(), e.dict(), materials_(), box_, mesh.time()
+                    e.keyword(),
+                    userEntry::dictOf(insertionDict, e),
+                    materials_(),
+                    box_,
+                    mesh.time()
                 )
             );
         }
@@ -102,34 +118,74 @@ Foam::fileName Foam::dew::particleEngine::restartPath
 
 void Foam::dew::particleEngine::readRestart()
 {
-    // Processor directories link or copy "uniform"; the master's is read
-    const fileName path
-    (
-        restartPath(mesh_.time().path()/mesh_.time().timeName())
-    );
+    // The master's processor directory, where decomposePar links "uniform";
+    // it does not where it had no fields to decompose
+    const fileName timeName(mesh_.time().timeName());
+    fileName path(restartPath(mesh_.time().path()/timeName));
     bool found = Pstream::master() && isFile(path/"engine");
+
+    if (Pstream::master() && !found)
+    {
+        path = restartPath(mesh_.time().globalPath()/timeName);
+        found = isFile(path/"engine");
+    }
     Pstream::scatter(found);
+    Pstream::scatter(path);
 
     if (!found)
     {
+        // Something of a restart, but not the dictionary that is written last
+        bool part = Pstream::master() && isDir(path);
+        Pstream::scatter(part);
+        if (part)
+        {
+            FatalErrorInFunction
+                << "The restart of the particles in " << path
+                << " is incomplete: no file engine" << nl
+                << "Start from an earlier time, or remove the directory to"
+                << " begin anew at this time"
+                << exit(FatalError);
+        }
         return;
     }
 
+    restartFolder_ = path;
+
+    // As text: every rank reads the same numbers
+    string text;
     if (Pstream::master())
     {
-        IFstream is(path/"engine");
-        restart_ = dictionary(is);
-        restart_.name() = path/"engine";
+        std::ifstream is(path/"engine");
+        std::ostringstream os;
+        os << is.rdbuf();
+        text = os.str();
     }
-    Pstream::scatter(restart_);
+    Pstream::scatter(text);
+
+    // The last entry tells that all of it is there, before it is parsed
+    if (text.find("complete") == std::string::npos)
+    {
+        FatalErrorInFunction
+            << "The restart of the particles in " << path/"engine"
+            << " is truncated" << nl
+            << "Start from an earlier time, or from the beginning"
+            << exit(FatalError);
+    }
+
+    IStringStream is(text);
+    is.name() = path/"engine";
+    restart_ = dictionary(is);
     restart_.name() = path/"engine";
 
-    if (!restart_.found("complete"))
+    const wordList names(restart_.get<wordList>("materials"));
+    if (materials_ && names != materials_->names())
     {
         FatalIOErrorInFunction(restart_)
-            << "The restart of the particles at time "
-            << mesh_.time().timeName() << " is truncated" << nl
-            << "Start from an earlier time, or from the beginning"
+            << "The restart was written with the materials "
+            << flatOutput(names) << ", the case has "
+            << flatOutput(materials_->names()) << nl
+            << "Keep the materials and their order, or start from the"
+            << " beginning"
             << exit(FatalIOError);
     }
 
@@ -330,7 +386,7 @@ void Foam::dew::particleEngine::account()
             << "Particle " << state_.id[bad] << " is not finite at time "
             << mesh_.time().timeName() << nl
             << "position " << state_.x[bad] << " velocity " << state_.v[bad]
-            << nl << "Look for a time step or force that is too large"
+            << nl << "Look for a time step, a force or a velocity that is too large"
             << exit(FatalError);
     }
 
@@ -345,7 +401,20 @@ void Foam::dew::particleEngine::account()
         heat += heat_ ? state_.heat[i] : 0;
     }
 
+    const label before = ledger_.particles;
     ledger_.particles = returnReduce(state_.size(), sumOp<label>());
+
+    const label expected = before + ledger_.inserted - ledger_.departed;
+    if (ledger_.subSteps > 0 && ledger_.particles != expected)
+    {
+        FatalErrorInFunction
+            << "The engine lost " << expected - ledger_.particles << " of "
+            << expected << " particles at time " << mesh_.time().timeName()
+            << nl << "A particle that crosses the domain, or a rank's part of"
+            << " it, within one sub-step cannot be followed. Look for a"
+            << " velocity or a sub-step that is too large"
+            << exit(FatalError);
+    }
     ledger_.kineticEnergy = returnReduce(energy, sumOp<scalar>());
     ledger_.impulse += returnReduce(impulse, sumOp<vector>());
     ledger_.heat += returnReduce(heat, sumOp<scalar>());
@@ -403,6 +472,7 @@ bool Foam::dew::particleEngine::writeObject
 
     dictionary dict;
     dict.add("engine", dict_.get<word>("engine"));
+    dict.add("materials", materialNames());
     dict.add("nextId", nextId_);
     dict.add("inserted", ledger_.insertedTotal);
     dict.add("departed", ledger_.departedTotal);

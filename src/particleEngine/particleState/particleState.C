@@ -41,7 +41,8 @@ Foam::label Foam::dew::particleState::findNotFinite() const
           + cmptSum(cmptMag(omega[i])) + d[i] + rho[i]
           + (thermal ? mag(T[i]) : 0);
 
-        if (!std::isfinite(sum))
+        // Squares of what passes are finite, too
+        if (!(sum < 1e100))
         {
             return i;
         }

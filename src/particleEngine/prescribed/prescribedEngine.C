@@ -10,6 +10,7 @@
 #include "PstreamReduceOps.H"
 #include "sphereGrid.H"
 #include "Time.H"
+#include "timeIntegral.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -38,7 +39,11 @@ Foam::dew::prescribedEngine::prescribedEngine
     const dictionary& dict
 )
 :
-    particleEngine(mesh, dict)
+    particleEngine(mesh, dict),
+    displacement_
+    (
+        restarted() ? restart_.get<vector>("displacement") : vector(Zero)
+    )
 {
     userEntry::onlyThese
     (
@@ -72,14 +77,6 @@ Foam::dew::prescribedEngine::prescribedEngine
     account();
 
     Info<< "Particles: " << ledger_.particles << ", prescribed" << nl << endl;
-}
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::vector Foam::dew::prescribedEngine::displacement(const scalar t) const
-{
-    return velocity_ ? velocity_->integrate(0, t) : vector(Zero);
 }
 
 
@@ -156,11 +153,15 @@ Foam::label Foam::dew::prescribedEngine::advance
 {
     const scalar dt = t1 - t0;
     const vector v(velocity_ ? velocity_->value(t1) : vector(Zero));
-    const vector s(displacement(t1));
+
+    if (velocity_ && t1 > t0)
+    {
+        displacement_ += timeIntegral(velocity_(), t0, t1);
+    }
 
     forAll(x0_, i)
     {
-        state_.x[i] = box_.wrapped(x0_[i] + s);
+        state_.x[i] = box_.wrapped(x0_[i] + displacement_);
         state_.v[i] = v;
         state_.omega[i] = Zero;
 
@@ -191,4 +192,14 @@ void Foam::dew::prescribedEngine::pull()
 {
     ledger_.departed = 0;
     ledger_.departedMass = 0;
+}
+
+
+void Foam::dew::prescribedEngine::writeRestart
+(
+    dictionary& dict,
+    const fileName&
+) const
+{
+    dict.add("displacement", displacement_);
 }

@@ -34,8 +34,9 @@ Type value(const dictionary& dict, const word& key, const dimensionSet& dims)
     ITstream& is = found->stream();
 
     // "key key [dims] value" is the old way to write a dimensioned entry
+    is.rewind();
     token first(is);
-    if (!first.isWord())
+    if (!first.isWord() || first.wordToken() != key)
     {
         is.putBack(first);
     }
@@ -71,6 +72,16 @@ Type value(const dictionary& dict, const word& key, const dimensionSet& dims)
 
     Type result;
     is >> result;
+
+    if (is.nRemainingTokens())
+    {
+        token extra(is);
+        FatalIOErrorInFunction(dict)
+            << "Unexpected " << extra << " after the value of '" << key
+            << "' in " << dict.dictName() << nl
+            << "Give one value in SI, with a decimal point"
+            << exit(FatalIOError);
+    }
 
     for (Foam::direction k = 0; k < pTraits<Type>::nComponents; k++)
     {
@@ -197,6 +208,68 @@ Foam::vector Foam::dew::userEntry::direction
         refuse(dict, key, mag(n), "a vector of length greater than zero");
     }
     return n/mag(n);
+}
+
+
+Foam::label Foam::dew::userEntry::count
+(
+    const dictionary& dict,
+    const word& key
+)
+{
+    const scalar x = positive(dict, key, dimless);
+    if (x > 2e9 || x != std::floor(x))
+    {
+        refuse(dict, key, x, "a whole number from 1 to 2e9");
+    }
+    return label(x);
+}
+
+
+const Foam::dictionary& Foam::dew::userEntry::dictOf
+(
+    const dictionary& parent,
+    const entry& e
+)
+{
+    if (!e.isDict())
+    {
+        FatalIOErrorInFunction(parent)
+            << "Entry '" << e.keyword() << "' in " << parent.dictName()
+            << " is not a dictionary" << nl
+            << "Write: " << e.keyword() << " { ... }"
+            << exit(FatalIOError);
+    }
+    return e.dict();
+}
+
+
+const Foam::dictionary& Foam::dew::userEntry::subDict
+(
+    const dictionary& dict,
+    const word& key
+)
+{
+    const entry* e = dict.findEntry(key, keyType::LITERAL);
+    if (!e)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Missing sub-dictionary '" << key << "' in "
+            << dict.dictName() << nl << "Add: " << key << " { ... }"
+            << exit(FatalIOError);
+    }
+    return dictOf(dict, *e);
+}
+
+
+const Foam::dictionary& Foam::dew::userEntry::optionalDict
+(
+    const dictionary& dict,
+    const word& key
+)
+{
+    const entry* e = dict.findEntry(key, keyType::LITERAL);
+    return e ? dictOf(dict, *e) : dictionary::null;
 }
 
 

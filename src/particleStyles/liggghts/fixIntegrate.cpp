@@ -8,9 +8,7 @@
 #include "../exponentialRelaxation.H"
 
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <sstream>
 
 #include "atom.h"
 #include "domain.h"
@@ -42,13 +40,11 @@ void Foam::dew::fixIntegrate::checkFinite(const double* v, const int i) const
 
     if (!(sum < 1e150))
     {
-        const double* x = atom->x[i];
-        std::ostringstream os;
-        os.precision(9);
-        os  << "dew:nan " << atom->tag[i] << ' '
-            << x[0] << ' ' << x[1] << ' ' << x[2] << ' '
-            << update->ntimestep;
-        error->one(FLERR, os.str().c_str());
+        notFinite e;
+        e.id = atom->tag[i];
+        e.step = long(update->ntimestep);
+        std::memcpy(e.x, atom->x[i], sizeof(e.x));
+        throw e;
     }
 }
 
@@ -199,6 +195,12 @@ void Foam::dew::fixIntegrate::init()
             atom->get_properties()->max_type(), 0, style
         )
     );
+}
+
+
+int Foam::dew::fixIntegrate::max_type()
+{
+    return atom->ntypes;
 }
 
 

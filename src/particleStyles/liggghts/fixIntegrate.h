@@ -23,7 +23,7 @@ Description
     recomputed: a run continued from a restart, or after an insertion, starts
     from the very forces it was left with.
 
-    Errors: a velocity that is not a number, with id, position and step.
+    Errors: notFinite is thrown for a velocity that is not a number.
 
 SourceFiles
     fixIntegrate.cpp
@@ -43,6 +43,15 @@ namespace Foam
 {
 namespace dew
 {
+
+//- Thrown for a particle whose velocity is not a number, engine units
+struct notFinite
+{
+    int id;
+    long step;
+    double x[3];
+};
+
 
 class fixIntegrate
 :
@@ -113,6 +122,10 @@ public:
 
         double min_rad(int) override { return maxRadius_; }
         double max_rad(int) override { return maxRadius_; }
+
+        // Types exist before the first particle does
+        int min_type() override { return 1; }
+        int max_type() override;
 
         void grow_arrays(int) override;
         void copy_arrays(int i, int j, int) override;

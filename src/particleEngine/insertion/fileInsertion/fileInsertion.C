@@ -10,6 +10,7 @@
 #include "Time.H"
 #include "userEntry.H"
 
+#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -214,14 +215,27 @@ bool Foam::dew::insertionModels::fileInsertion::readLine(particleList& list)
             type = materials_.names().find(word(value[c], false));
             if (type < 0)
             {
-                bad("unknown material " + value[c]);
+                std::string known;
+                for (const word& name : materials_.names())
+                {
+                    known += ' ' + name;
+                }
+                bad("unknown material " + value[c] + "; known are" + known);
             }
             continue;
         }
 
-        char* end = nullptr;
-        const scalar number = std::strtod(value[c].c_str(), &end);
-        if (*end != '\0' || !std::isfinite(number))
+        // Not strtod: an overflow would end in a signal
+        scalar number = 0;
+        const char* begin = value[c].c_str() + (value[c][0] == '+');
+        const char* end = value[c].c_str() + value[c].size();
+        const auto read = std::from_chars(begin, end, number);
+
+        if
+        (
+            read.ec != std::errc() || read.ptr != end
+         || !std::isfinite(number)
+        )
         {
             bad("'" + value[c] + "' in column " + key + " is no finite number");
         }

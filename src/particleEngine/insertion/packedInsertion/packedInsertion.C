@@ -45,8 +45,8 @@ Foam::dew::insertionModels::packedInsertion::packedInsertion
 )
 :
     insertionModel(name, dict, mats, box, time),
-    diameter_(sizeDistribution::New(dict.subDict("diameter"))),
-    region_(insertionRegion::New(dict.subDict("region"))),
+    diameter_(sizeDistribution::New(userEntry::subDict(dict, "diameter"))),
+    region_(insertionRegion::New(userEntry::subDict(dict, "region"))),
     maxAttempts_(dict.getOrDefault<label>("maxAttempts", 20000)),
     next_(-1)
 {
@@ -79,7 +79,7 @@ Foam::dew::insertionModels::packedInsertion::diameters() const
 
     if (dict_.found("number"))
     {
-        const label n = label(userEntry::positive(dict_, "number", dimless));
+        const label n = userEntry::count(dict_, "number");
         for (label i = 0; i < n; i++)
         {
             d.append(diameter_->sample(random));

@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
 #include "sphereGrid.H"
+#include "timeIntegral.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -42,8 +43,8 @@ Foam::dew::insertionModels::rateInsertion::rateInsertion
 )
 :
     insertionModel(name, dict, mats, box, time),
-    diameter_(sizeDistribution::New(dict.subDict("diameter"))),
-    region_(insertionRegion::New(dict.subDict("region"))),
+    diameter_(sizeDistribution::New(userEntry::subDict(dict, "diameter"))),
+    region_(insertionRegion::New(userEntry::subDict(dict, "region"))),
     byMass_(dict.found("massRate")),
     start_(userEntry::notNegativeOr(dict, "start", dimTime, 0)),
     end_(userEntry::notNegativeOr(dict, "end", dimTime, VGREAT)),
@@ -100,7 +101,17 @@ void Foam::dew::insertionModels::rateInsertion::propose
 
     if (b > a)
     {
-        owed_ += rate_->integrate(a, b);
+        const scalar due = timeIntegral(rate_(), a, b);
+        if (due < 0)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "The rate of insertion '" << name_ << "' is negative between"
+                << " the times " << a << " and " << b << nl
+                << "Entry '" << (byMass_ ? "massRate" : "numberRate")
+                << "' must be zero or greater at all times"
+                << exit(FatalIOError);
+        }
+        owed_ += due;
     }
 
     while (true)
@@ -154,16 +165,19 @@ void Foam::dew::insertionModels::rateInsertion::propose
 
 void Foam::dew::insertionModels::rateInsertion::placed(const UList<bool>& found)
 {
-    boolList in(waiting_.size(), false);
-    forAll(found, i)
-    {
-        in[offered_[i]] = found[i];
-    }
-
+    // offered_ is in ascending order
     DynamicList<scalar> rest;
+    label next = 0;
+
     forAll(waiting_, w)
     {
-        if (!in[w])
+        bool in = false;
+        if (next < offered_.size() && offered_[next] == w)
+        {
+            in = next < found.size() && found[next];
+            next++;
+        }
+        if (!in)
         {
             rest.append(waiting_[w]);
         }

@@ -33,6 +33,8 @@ Foam::dew::regions::boxRegion::boxRegion(const dictionary& dict)
         userEntry::point(dict, "max", dimLength)
     )
 {
+    userEntry::onlyThese(dict, {"type", "min", "max"});
+
     if (!(cmptMin(box_.span()) > 0))
     {
         FatalIOErrorInFunction(dict)

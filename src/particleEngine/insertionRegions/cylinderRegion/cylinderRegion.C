@@ -32,6 +32,8 @@ Foam::dew::regions::cylinderRegion::cylinderRegion(const dictionary& dict)
     p2_(userEntry::point(dict, "point2", dimLength)),
     radius_(userEntry::positive(dict, "radius", dimLength))
 {
+    userEntry::onlyThese(dict, {"type", "point1", "point2", "radius"});
+
     if (!(mag(p2_ - p1_) > 0))
     {
         FatalIOErrorInFunction(dict)

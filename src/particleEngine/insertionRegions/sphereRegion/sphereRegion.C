@@ -30,7 +30,9 @@ Foam::dew::regions::sphereRegion::sphereRegion(const dictionary& dict)
 :
     centre_(userEntry::point(dict, "centre", dimLength)),
     radius_(userEntry::positive(dict, "radius", dimLength))
-{}
+{
+    userEntry::onlyThese(dict, {"type", "centre", "radius"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

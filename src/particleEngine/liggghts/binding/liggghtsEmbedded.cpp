@@ -13,12 +13,17 @@
 #include "registerStyles.h"
 
 #include <cfenv>
+#include <cstdio>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <unordered_map>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -56,6 +61,32 @@ public:
     {
         std::feclearexcept(FE_ALL_EXCEPT);
         feenableexcept(mask_);
+    }
+};
+
+
+//- The engine's remarks on standard output are not the solver's
+class outputOff
+{
+    int kept_;
+
+public:
+
+    outputOff()
+    :
+        kept_(dup(STDOUT_FILENO))
+    {
+        std::fflush(stdout);
+        const int null = open("/dev/null", O_WRONLY);
+        dup2(null, STDOUT_FILENO);
+        close(null);
+    }
+
+    ~outputOff()
+    {
+        std::fflush(stdout);
+        dup2(kept_, STDOUT_FILENO);
+        close(kept_);
     }
 };
 
@@ -116,6 +147,7 @@ namespace
 void setColumn
 (
     Foam::dew::fixIntegrate& f,
+    const int* id,
     const int n,
     const double* from,
     const int col,
@@ -131,7 +163,12 @@ void setColumn
 
             if (!std::isfinite(value))
             {
-                throw std::runtime_error("dew:push " + std::to_string(i));
+                throw std::runtime_error
+                (
+                    "the bulk force (or torque, or heat) of particle "
+                  + std::to_string(id[i]) + " is not a finite number: look at"
+                    " the law and the fields it was computed from"
+                );
             }
             f[i][col + k] = factor*value;
         }
@@ -278,6 +315,7 @@ bool Foam::dew::liggghtsEmbedded::outsideBox() const
 void Foam::dew::liggghtsEmbedded::command(const std::string& line)
 {
     trapsOff guard;
+    outputOff quiet;
     lammps_command(lmp_, line.c_str());
 }
 
@@ -331,20 +369,23 @@ long Foam::dew::liggghtsEmbedded::add(const newParticles& p)
     Modify& modify = *lmp_->modify;
     const int before = atom.nlocal;
 
-    FixPropertyAtom* temperature = nullptr;
-    if (modify.find_fix_style("heat/gran", 0))
-    {
-        temperature = static_cast<FixPropertyAtom*>
+    FixPropertyAtom* temperature = static_cast<FixPropertyAtom*>
+    (
+        modify.find_fix_property
         (
-            modify.find_fix_property
-            (
-                "Temp", "property/atom", "scalar", 0, 0, "add"
-            )
-        );
-    }
+            "Temp", "property/atom", "scalar", 0, 0, "add", false
+        )
+    );
 
     // Particles already there go on from the forces they have
     integrator().keepForces();
+
+    // Values of the new ones are set below: the engine's first set-up would
+    // return them to their defaults
+    for (int f = 0; f < modify.nfix; f++)
+    {
+        modify.fix[f]->just_created = 0;
+    }
 
     for (size_t i = 0; i < p.id.size(); i++)
     {
@@ -551,20 +592,21 @@ void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
     typedef fixIntegrate f;
     fixIntegrate& data = integrator();
     const int n = size();
+    const int* id = lmp_->atom->tag;
     const engineUnits& u = units_;
 
     const bool anyTerm =
         b.Su || b.Sp || b.Tu || b.Tp || b.Qu || b.Qp;
 
-    setColumn(data, n, b.Su, f::Su, 3, 1/u.force());
-    setColumn(data, n, b.Sp, f::Sp, 1, u.velocity()/u.force());
-    setColumn(data, n, b.U, f::U, 3, 1/u.velocity());
-    setColumn(data, n, b.Tu, f::Tu, 3, 1/u.torque());
-    setColumn(data, n, b.Tp, f::Tp, 1, 1/(u.torque()*u.time));
-    setColumn(data, n, b.Omega, f::Omega, 3, u.time);
-    setColumn(data, n, b.Qu, f::Qu, 1, 1/u.power());
-    setColumn(data, n, b.Qp, f::Qp, 1, 1/u.power());
-    setColumn(data, n, b.Tf, f::Tf, 1, 1);
+    setColumn(data, id, n, b.Su, f::Su, 3, 1/u.force());
+    setColumn(data, id, n, b.Sp, f::Sp, 1, u.velocity()/u.force());
+    setColumn(data, id, n, b.U, f::U, 3, 1/u.velocity());
+    setColumn(data, id, n, b.Tu, f::Tu, 3, 1/u.torque());
+    setColumn(data, id, n, b.Tp, f::Tp, 1, 1/(u.torque()*u.time));
+    setColumn(data, id, n, b.Omega, f::Omega, 3, u.time);
+    setColumn(data, id, n, b.Qu, f::Qu, 1, 1/u.power());
+    setColumn(data, id, n, b.Qp, f::Qp, 1, 1/u.power());
+    setColumn(data, id, n, b.Tf, f::Tf, 1, 1);
 
     for (int i = 0; i < n; i++)
     {
@@ -582,8 +624,22 @@ void Foam::dew::liggghtsEmbedded::run(long nSteps)
 {
     trapsOff guard;
 
-    // The forces are those of the last sub-step or of setup()
-    lmp_->update->integrate->run(int(nSteps));
+    try
+    {
+        // The forces are those of the last sub-step or of setup()
+        lmp_->update->integrate->run(int(nSteps));
+    }
+    catch (const notFinite& e)
+    {
+        std::ostringstream os;
+        os.precision(9);
+        os  << "particle " << e.id << " is not finite at time "
+            << e.step*lmp_->update->dt*units_.time << " s, position ("
+            << e.x[0]*units_.length << ' ' << e.x[1]*units_.length << ' '
+            << e.x[2]*units_.length << ") m. Look for a sub-step, a force or a"
+            " velocity that is too large";
+        throw std::runtime_error(os.str());
+    }
 }
 
 

@@ -79,7 +79,7 @@ Foam::dew::liggghtsCommands::liggghtsCommands
 )
 :
     dict_(dict),
-    contacts_(dict.subOrEmptyDict("contacts")),
+    contacts_(userEntry::optionalDict(dict, "contacts")),
     materials_(mats),
     heat_(heat),
     normal_(choice(contacts_, "normal", "Hertz", normalNames)),
@@ -143,7 +143,7 @@ void Foam::dew::liggghtsCommands::perPair
     const std::string& name,
     const word& key,
     const dimensionSet& dims,
-    const bool zeroAllowed,
+    const scalar above,
     const scalar high,
     const scalar unit
 )
@@ -158,7 +158,7 @@ void Foam::dew::liggghtsCommands::perPair
         {
             line += ' ' + engineText
             (
-                materials_.pair(key, dims, i, j, zeroAllowed, high)/unit
+                materials_.pair(key, dims, i, j, above, high)/unit
             );
         }
     }
@@ -299,17 +299,17 @@ void Foam::dew::liggghtsCommands::contact(const scalar skin)
         perMaterial("thermalCapacity", cp);
     }
 
-    perPair("coefficientRestitution", "restitution", dimless, false, 1, 1);
+    perPair("coefficientRestitution", "restitution", dimless, 0.05, 1, 1);
 
     if (tangential_ != "none")
     {
-        perPair("coefficientFriction", "friction", dimless, true, GREAT, 1);
+        perPair("coefficientFriction", "friction", dimless, -1, GREAT, 1);
     }
     if (rolling_ != "none")
     {
         perPair
         (
-            "coefficientRollingFriction", "rollingFriction", dimless, true,
+            "coefficientRollingFriction", "rollingFriction", dimless, -1,
             GREAT, 1
         );
     }
@@ -318,7 +318,7 @@ void Foam::dew::liggghtsCommands::contact(const scalar skin)
         perPair
         (
             "coefficientRollingViscousDamping", "rollingDamping", dimless,
-            true, GREAT, 1
+            -1, GREAT, 1
         );
     }
     if (cohesion_ != "none")
@@ -326,7 +326,7 @@ void Foam::dew::liggghtsCommands::contact(const scalar skin)
         perPair
         (
             "cohesionEnergyDensity", "cohesionEnergyDensity", dimPressure,
-            true, GREAT, units_.pressure()
+            -1, GREAT, units_.pressure()
         );
     }
     if (normal_ == "Hooke")
@@ -421,7 +421,7 @@ void Foam::dew::liggghtsCommands::wallOf
         "fix " + mesh + " all mesh/surface file \"" + stlPath + "\" type "
       + type + heat + " curvature_tolerant yes"
     );
-    add(line + " mesh n_meshes 1 meshes " + mesh);
+    meshes_.append(mesh);
 
     if (w.motion().moves())
     {
@@ -431,6 +431,27 @@ void Foam::dew::liggghtsCommands::wallOf
           + w.motion().engineArguments(units_)
         );
     }
+}
+
+
+void Foam::dew::liggghtsCommands::meshWalls()
+{
+    if (meshes_.empty())
+    {
+        return;
+    }
+
+    // The engine wants one fix for all of them
+    std::string line
+    (
+        "fix walls all wall/gran " + model() + " mesh n_meshes "
+      + std::to_string(meshes_.size()) + " meshes"
+    );
+    for (const std::string& mesh : meshes_)
+    {
+        line += ' ' + mesh;
+    }
+    add(line);
 }
 
 

@@ -148,7 +148,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
 
         deltaT_ = userEntry::positive
         (
-            dict.subDict("timeStep"), "deltaT", dimTime
+            userEntry::subDict(dict, "timeStep"), "deltaT", dimTime
         );
 
         DynamicList<std::string> lines;
@@ -265,7 +265,7 @@ void Foam::dew::liggghtsEngine::readGravity()
 
 void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
 {
-    const dictionary& dict = dict_.subOrEmptyDict("timeStep");
+    const dictionary& dict = userEntry::optionalDict(dict_, "timeStep");
     userEntry::onlyThese(dict, {"fraction", "deltaT"});
 
     const scalar fraction =
@@ -290,6 +290,18 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
     if (restarted())
     {
         deltaT_ = restart_.get<scalar>("deltaT");
+
+        const scalar asked =
+            userEntry::positiveOr(dict, "deltaT", dimTime, deltaT_);
+        if (mag(asked/deltaT_ - 1) > 1e-9)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'deltaT' in " << dict.dictName() << " is " << asked
+                << ", the restart was made with a sub-step of " << deltaT_
+                << nl << "The sub-step is constant for a run: remove the entry,"
+                << " or start from the beginning"
+                << exit(FatalIOError);
+        }
     }
     else if (dict.found("deltaT"))
     {
@@ -346,11 +358,18 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
     List<List<wallShape>> shapes;
     boundBox wide(box_.bounds());
 
-    for (const entry& e : dict_.subOrEmptyDict("walls"))
+    const dictionary& wallDict = userEntry::optionalDict(dict_, "walls");
+    for (const entry& e : wallDict)
     {
         walls.append
         (
-            particleWall::New(e.keyword(), e.dict(), materials_(), mesh_).ptr()
+            particleWall::New
+            (
+                e.keyword(),
+                userEntry::dictOf(wallDict, e),
+                materials_(),
+                mesh_
+            ).ptr()
         );
         const particleWall& w = walls.last();
         shapes.append(w.shapes());
@@ -413,6 +432,8 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
             );
         }
     }
+
+    commands.meshWalls();
 
     if (heat_)
     {
@@ -484,11 +505,24 @@ void Foam::dew::liggghtsEngine::execute(const UList<std::string>& lines)
         }
     }
 
-    for (const std::string& line : lines)
+    const label nOwn =
+        dict_.found("commands")
+      ? dict_.get<List<string>>("commands").size()
+      : 0;
+
+    forAll(lines, i)
     {
+        const std::string& line = lines[i];
+        const std::string origin
+        (
+            i < lines.size() - nOwn
+          ? "made from constant/particleProperties, see dem/in.particles"
+          : "entry 'commands' in constant/particleProperties"
+        );
+
         library_.call
         (
-            "command '" + line + "'",
+            "command '" + line + "' (" + origin + ')',
             [&line](liggghtsBinding& e) { e.command(line); }
         );
     }
@@ -519,11 +553,7 @@ void Foam::dew::liggghtsEngine::printSetup() const
 Foam::fileName Foam::dew::liggghtsEngine::checkedRestartFile() const
 {
     // The master reads it for all ranks
-    const fileName path
-    (
-        restartPath(mesh_.time().path()/mesh_.time().timeName())
-       /restart_.get<fileName>("file")
-    );
+    const fileName path(restartFolder_/restart_.get<fileName>("file"));
 
     if (Pstream::master())
     {

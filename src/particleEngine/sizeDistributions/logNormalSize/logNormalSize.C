@@ -35,7 +35,9 @@ Foam::dew::sizeDistributions::logNormalSize::logNormalSize(const dictionary& dic
     ),
     median_(userEntry::positive(dict, "median", dimLength)),
     deviation_(userEntry::positive(dict, "deviation", dimless))
-{}
+{
+    userEntry::onlyThese(dict, {"type", "median", "deviation", "min", "max", "weighting"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -33,7 +33,9 @@ Foam::dew::sizeDistributions::monoSize::monoSize(const dictionary& dict)
         userEntry::positive(dict, "value", dimLength),
         userEntry::positive(dict, "value", dimLength)
     )
-{}
+{
+    userEntry::onlyThese(dict, {"type", "value", "weighting"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -35,7 +35,9 @@ Foam::dew::sizeDistributions::normalSize::normalSize(const dictionary& dict)
     ),
     mean_(userEntry::positive(dict, "mean", dimLength)),
     deviation_(userEntry::positive(dict, "deviation", dimLength))
-{}
+{
+    userEntry::onlyThese(dict, {"type", "mean", "deviation", "min", "max", "weighting"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

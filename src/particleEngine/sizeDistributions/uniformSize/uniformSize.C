@@ -33,7 +33,9 @@ Foam::dew::sizeDistributions::uniformSize::uniformSize(const dictionary& dict)
         userEntry::positive(dict, "min", dimLength),
         userEntry::positive(dict, "max", dimLength)
     )
-{}
+{
+    userEntry::onlyThese(dict, {"type", "min", "max", "weighting"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

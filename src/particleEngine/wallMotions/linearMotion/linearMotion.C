@@ -29,7 +29,9 @@ namespace wallMotions
 Foam::dew::wallMotions::linearMotion::linearMotion(const dictionary& dict)
 :
     velocity_(userEntry::point(dict, "velocity", dimVelocity))
-{}
+{
+    userEntry::onlyThese(dict, {"type", "velocity"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

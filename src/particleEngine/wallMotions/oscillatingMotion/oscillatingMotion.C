@@ -30,7 +30,9 @@ Foam::dew::wallMotions::oscillatingMotion::oscillatingMotion(const dictionary& d
 :
     amplitude_(userEntry::point(dict, "amplitude", dimLength)),
     period_(userEntry::positive(dict, "period", dimTime))
-{}
+{
+    userEntry::onlyThese(dict, {"type", "amplitude", "period"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

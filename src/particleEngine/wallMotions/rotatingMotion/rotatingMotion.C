@@ -31,7 +31,9 @@ Foam::dew::wallMotions::rotatingMotion::rotatingMotion(const dictionary& dict)
     origin_(userEntry::point(dict, "origin", dimLength)),
     axis_(userEntry::direction(dict, "axis")),
     period_(userEntry::positive(dict, "period", dimTime))
-{}
+{
+    userEntry::onlyThese(dict, {"type", "origin", "axis", "period"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -44,7 +46,8 @@ Foam::boundBox Foam::dew::wallMotions::rotatingMotion::swept
 {
     // The sphere about the origin that holds the box holds all its turns
     scalar r = 0;
-    for (const point& p : bb.points()())
+    const tmp<pointField> corners(bb.points());
+    for (const point& p : corners())
     {
         r = max(r, mag(p - origin_));
     }

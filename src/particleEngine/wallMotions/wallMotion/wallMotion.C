@@ -6,6 +6,7 @@
 
 #include "wallMotion.H"
 #include "selectVariant.H"
+#include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -29,8 +30,10 @@ Foam::autoPtr<Foam::dew::wallMotion> Foam::dew::wallMotion::New
     dictionary atRest;
     atRest.add("type", word("none"));
 
-    const dictionary* found = wallDict.findDict("motion", keyType::LITERAL);
-    const dictionary& dict = found ? *found : atRest;
+    const dictionary& dict =
+        wallDict.found("motion")
+      ? userEntry::subDict(wallDict, "motion")
+      : atRest;
 
     return selectVariant<wallMotion>(dict, "type", "wallMotion")(dict);
 }

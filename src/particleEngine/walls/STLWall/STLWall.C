@@ -71,7 +71,28 @@ Foam::dew::walls::STLWall::shapes() const
 
     if (Pstream::master())
     {
-        const triSurface surface(path_);
+        // OpenFOAM's reader does not say whose file it is
+        const bool throwing = FatalIOError.throwExceptions();
+        triSurface surface;
+        std::string problem;
+        try
+        {
+            surface = triSurface(path_);
+        }
+        catch (const IOerror& e)
+        {
+            problem = e.message();
+        }
+        FatalIOError.throwExceptions(throwing);
+
+        if (surface.empty())
+        {
+            FatalIOErrorInFunction(dict_)
+                << "No triangle in file " << path_ << " (entry 'file' of wall "
+                << name_ << "): " << problem.c_str() << nl
+                << "Give a surface that OpenFOAM's surfaceCheck can read"
+                << exit(FatalIOError);
+        }
 
         for (const labelledTri& t : surface)
         {

@@ -46,13 +46,16 @@ Foam::dew::walls::patchWall::patchWall
     const wordRes select(dict.get<wordRes>("patches"));
     patches_ = mesh.boundaryMesh().patchSet(select, false).sortedToc();
 
-    if (patches_.empty())
+    for (const wordRe& one : select)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'patches' of wall " << name << " is " << select
-            << " and names no patch of the mesh" << nl
-            << "Patches: " << flatOutput(mesh.boundaryMesh().names())
-            << exit(FatalIOError);
+        if (mesh.boundaryMesh().patchSet(wordRes(1, one), false).empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'patches' of wall " << name << " has " << one
+                << ", which names no patch of the mesh" << nl
+                << "Patches: " << flatOutput(mesh.boundaryMesh().names())
+                << exit(FatalIOError);
+        }
     }
 }
 

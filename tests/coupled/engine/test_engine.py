@@ -1,0 +1,394 @@
+"""The engine through its binding: bulk forces, balance, heat, walls, ranks and restarts.
+
+Expected values are closed forms, written beside each test. testEngine (this folder) advances an engine under given
+bulk forces and writes what each particle received.
+"""
+import numpy as np
+import pytest
+
+from dewCase import Case, foam_dict, quoted, steps
+
+SIZES = [200e-9, 20e-6, 20e-3]          # diameters [m]
+MATERIAL = {'youngsModulus': 1e8, 'poissonsRatio': 0.3, 'density': 2500.0}
+CONTACTS = {'normal': 'Hertz', 'tangential': 'history', 'default': {'restitution': 0.75, 'friction': 0.4}}
+
+
+def properties(**more):
+    return {'engine': 'liggghts', 'materials': {'glass': dict(MATERIAL)}, 'contacts': CONTACTS,
+            'insertion': {'some': {'type': 'file', 'file': quoted('constant/particles.csv'), 'material': 'glass'}},
+            **{'output': ('csv',), **more}}
+
+
+def engine_table(case, time):
+    name = next(n for n in case.times() if np.isclose(float(n), time, rtol=1e-6, atol=0))
+    rows = np.genfromtxt(case.path / name / 'engine.csv', delimiter=',', names=True)
+    return np.sort(np.atleast_1d(rows), order='id')
+
+
+def vectors(rows, names):
+    return np.stack([rows[n] for n in names.split()], axis=1)
+
+
+def mass(rows):
+    return rows['rho'] * np.pi / 6 * rows['d']**3
+
+
+def run_engine(case, forces, ranks=1):
+    case.write_file('constant/testProperties', foam_dict(forces) + '\n')
+    result = case.run('testEngine', ranks=ranks)
+    assert result.code == 0, result.output
+    return result
+
+
+def one_particle(path, d, dt, n_sub, n_steps, gravity, columns=None, **more):
+    """A particle in the middle of an empty box, sub-step dt, n_steps intervals of n_sub sub-steps."""
+    case = Case(path, upper=(100*d, 100*d, 100*d), gravity=gravity, deltaT=dt*n_sub, endTime=dt*n_sub*n_steps,
+                writeInterval=100000, timePrecision=12)
+    case.properties = properties(timeStep={'deltaT': dt}, **more)
+    case.particles({'x': 50*d, 'y': 50*d, 'z': 50*d, 'd': d, **(columns or {})})
+    case.mesh()
+    return case
+
+
+# The sub-step over the relaxation time, from resolved to far above
+@pytest.mark.parametrize('ratio', [1e-3, 1e-2, 0.1, 1, 10, 100, 1000])
+@pytest.mark.parametrize('d', SIZES)
+def test_drag_relaxation_is_exact(tmp_path, d, ratio):
+    """m dv/dt = Sp (U - v) + Su + m g: v, x, impulse in closed form, to 1e-6 of the velocity change."""
+    m = MATERIAL['density'] * np.pi / 6 * d**3
+    dt = 1e-2 * d * (MATERIAL['density'] / MATERIAL['youngsModulus'])**0.5
+    tau = dt / ratio
+    U = np.array([1.0, -0.5, 0.2]) * d / dt * 1e-3
+    v0 = -0.7 * U[::-1]
+    g = np.array([0, 0, -0.3 * np.linalg.norm(U) / max(tau, dt)])
+    Su = m * np.array([0.2, 0, 0]) * np.linalg.norm(U) / max(tau, dt)
+
+    case = one_particle(tmp_path, d, dt, 10, 3, tuple(g), {'vx': v0[0], 'vy': v0[1], 'vz': v0[2]})
+    run_engine(case, {'Sp': m / tau, 'U': tuple(U), 'Su': tuple(Su)})
+
+    previous = v0
+    for k in range(1, 4):
+        t = 10 * k * dt
+        terminal = U + tau * (g + Su / m)
+        v = terminal + (v0 - terminal) * np.exp(-t / tau)
+        x = 50*d + terminal * t - (v0 - terminal) * tau * np.expm1(-t / tau)
+        row = engine_table(case, t)
+        scale = np.linalg.norm(terminal - v0)
+        assert np.abs(vectors(row, 'vx vy vz')[0] - v).max() < 1e-6 * scale
+        assert np.abs(vectors(row, 'x y z')[0] - x).max() < 1e-6 * scale * t + 1e-13 * d * 50
+        # What was received is all that is not gravity
+        J = m * (v - previous) - m * g * 10 * dt
+        assert np.abs(vectors(row, 'jx jy jz')[0] - J).max() < 1e-6 * m * scale
+        previous = v
+
+
+@pytest.mark.parametrize('ratio', [1e-3, 1, 1e3])
+@pytest.mark.parametrize('d', SIZES)
+def test_rotation_and_temperature_relax_exactly(tmp_path, d, ratio):
+    """I dw/dt = Tp (Omega - w) + Tu and m cp dT/dt = Qp (Tf - T) + Qu, closed forms to 1e-6."""
+    cp = 700.0
+    m = MATERIAL['density'] * np.pi / 6 * d**3
+    I = 0.1 * m * d**2
+    dt = 1e-2 * d * (MATERIAL['density'] / MATERIAL['youngsModulus'])**0.5
+    tau = dt / ratio
+    Omega, w0, Tu = 10.0 / dt * 1e-4, -3.0 / dt * 1e-4, 0.1 * I / max(tau, dt) / dt * 1e-4
+    Tf, T0, Qu = 350.0, 300.0, 5.0 * m * cp / max(tau, dt)
+
+    case = one_particle(tmp_path, d, dt, 10, 2, (0, 0, 0), {'wx': w0, 'T': T0}, heat=True,
+                        materials={'glass': {**MATERIAL, 'thermalConductivity': 1.0, 'heatCapacity': cp}})
+    run_engine(case, {'Tp': I / tau, 'Omega': (Omega, 0, 0), 'Tu': (Tu, 0, 0), 'Qp': m * cp / tau, 'Tf': Tf,
+                      'Qu': Qu})
+
+    for k in (1, 2):
+        t = 10 * k * dt
+        row = engine_table(case, t)
+        w_end, T_end = Omega + Tu * tau / I, Tf + Qu * tau / (m * cp)
+        w = w_end + (w0 - w_end) * np.exp(-t / tau)
+        T = T_end + (T0 - T_end) * np.exp(-t / tau)
+        assert abs(row['wx'][0] - w) < 1e-6 * abs(w_end - w0)
+        assert abs(row['T'][0] - T) < 1e-6 * abs(T_end - T0)
+        if k == 1:
+            assert abs(row['lx'][0] - I * (w - w0)) < 1e-6 * I * abs(w_end - w0)
+            assert abs(row['q'][0] - m * cp * (T - T0)) < 1e-6 * m * cp * abs(T_end - T0)
+
+
+def cloud(n, d, seed=1):
+    """n particles on a jittered lattice with random velocities: columns of a table, and the box's width."""
+    rng = np.random.default_rng(seed)
+    side = int(np.ceil(n**(1/3)))
+    spacing = 1.15 * d
+    grid = np.array([(i, j, k) for i in range(side) for j in range(side) for k in range(side)])[:n]
+    x = (grid + 0.5) * spacing + 0.05 * d * (rng.random((n, 3)) - 0.5)
+    v = rng.normal(size=(n, 3)) * 0.05 * d / 1e-5
+    return ({'x': x[:, 0], 'y': x[:, 1], 'z': x[:, 2], 'd': d, 'vx': v[:, 0], 'vy': v[:, 1], 'vz': v[:, 2]},
+            side * spacing)
+
+
+def test_momentum_of_collisions_is_kept(tmp_path):
+    """200 colliding particles in a periodic box: total momentum to round-off."""
+    columns, width = cloud(200, 2e-4)
+    case = Case(tmp_path, upper=(width,)*3, cyclic='xyz', gravity=(0, 0, 0), deltaT=5e-5, endTime=1e-3,
+                writeInterval=20, timePrecision=12)
+    case.properties = properties()
+    case.particles(columns)
+    case.mesh()
+    run_engine(case, {})
+    first, last = engine_table(case, 5e-5), engine_table(case, 1e-3)
+    p0 = np.array([np.sum(columns[k] * mass(first)) for k in ('vx', 'vy', 'vz')])
+    p1 = (vectors(last, 'vx vy vz') * mass(last)[:, None]).sum(0)
+    scale = (np.abs(vectors(first, 'vx vy vz')) * mass(first)[:, None]).sum()
+    # They did collide
+    assert np.median(np.linalg.norm(vectors(last, 'vx vy vz') - vectors(first, 'vx vy vz'), axis=1)) > 0
+    assert np.abs(p1 - p0).max() < 1e-13 * scale
+
+
+def test_received_impulse_closes_the_balance(tmp_path):
+    """With drag and collisions: sum m dv = sum of received impulses, at every step, to round-off."""
+    columns, width = cloud(200, 2e-4)
+    case = Case(tmp_path, upper=(width,)*3, cyclic='xyz', gravity=(0, 0, 0), deltaT=5e-5, endTime=5e-4,
+                writeInterval=100, timePrecision=12)
+    case.properties = properties()
+    case.particles(columns)
+    case.mesh()
+    run_engine(case, {'Sp': 2e-6, 'U': (0.1, 0, 0.05), 'gradU': (0, 0, 300, 0, 0, 0, 0, 0, 0)})
+    previous = None
+    for k in range(1, 11):
+        rows = engine_table(case, k * 5e-5)
+        p = (vectors(rows, 'vx vy vz') * mass(rows)[:, None]).sum(0)
+        J = vectors(rows, 'jx jy jz').sum(0)
+        if previous is not None:
+            scale = np.abs(vectors(rows, 'jx jy jz')).sum()
+            assert np.abs(p - previous - J).max() < 1e-12 * scale
+        previous = p
+
+
+@pytest.mark.parametrize('d', SIZES)
+def test_heat_conduction_between_two_particles(tmp_path, d):
+    """Two equal spheres in contact: T1 - T2 decays as exp(-2 h t/(m cp)), h = 2 k sqrt(A), A the overlap's circle:
+    the closed form of the engine's law (hc = 4 k1 k2/(k1 + k2) sqrt(A))."""
+    k, cp, overlap = 50.0, 500.0, 0.02
+    m = MATERIAL['density'] * np.pi / 6 * d**3
+    r = d * (1 - overlap)
+    A = np.pi / 4 * (d - r) * (r + d) * r * r / r**2
+    h = 2 * k * np.sqrt(A)
+    rate = 2 * h / (m * cp)
+    dt = 1e-3 / rate
+    limit = 0.1 * np.pi * (d/2) * (MATERIAL['density'] / (1e8/2.6))**0.5
+    n = int(np.ceil(dt / limit))
+    dt = min(dt, 0.5 * limit)
+    n_sub = int(round(0.5 / rate / dt))
+    n_sub, dt = (n_sub, dt) if n_sub <= 40000 else (40000, 0.5 / rate / 40000)
+
+    # Small conductivity where the thermal time would take too many sub-steps
+    scale = 1.0
+    if dt > 0.5 * limit:
+        scale = dt / (0.5 * limit)
+        dt = 0.5 * limit
+        k, h, rate = k * scale, h * scale, rate * scale
+
+    case = Case(tmp_path, upper=(10*d,)*3, gravity=(0, 0, 0), deltaT=dt * n_sub, endTime=dt * n_sub,
+                writeInterval=1, timePrecision=12)
+    case.properties = properties(heat=True, timeStep={'deltaT': dt}, overlapTolerance=0.1,
+                                 materials={'glass': {**MATERIAL, 'thermalConductivity': k, 'heatCapacity': cp}})
+    case.particles({'x': [5*d, 5*d + r], 'y': 5*d, 'z': 5*d, 'd': d, 'T': [400.0, 300.0]})
+    case.mesh()
+    # So strong a drag that they stay where they are
+    run_engine(case, {'Sp': 1e12 * m / (dt * n_sub), 'U': (0, 0, 0)})
+    T = engine_table(case, dt * n_sub)['T']
+    expected = 100 * np.exp(-rate * dt * n_sub)
+    # First order in the sub-step: dt rate/2 of the exponent 0.5
+    assert abs(T[0] - T[1] - expected) < 1e-3 * 100
+    assert abs(T.sum() - 700) < 1e-9 * 700
+
+
+def collided(path, ranks, n_steps, **control):
+    columns, width = cloud(300, 2e-4)
+    case = Case(path, upper=(width,)*3, cells=(6, 6, 6), cyclic='x', deltaT=2e-5, endTime=2e-5 * n_steps,
+                writeInterval=n_steps, timePrecision=12, **control)
+    case.properties = properties(walls={'sides': {'type': 'patch', 'patches': ('"[yz].*"',), 'material': 'glass'}})
+    case.particles(columns)
+    case.mesh()
+    if ranks > 1:
+        case.decompose(ranks)
+    run_engine(case, {'Sp': 2e-6, 'U': (0.1, 0, 0.05), 'gradU': (0, 0, 300, 0, 0, 0, 0, 0, 0)}, ranks=ranks)
+    return engine_table(case, 2e-5 * n_steps)
+
+
+@pytest.mark.parametrize('ranks', [2, 4])
+def test_one_exchange_does_not_depend_on_ranks(tmp_path, ranks):
+    """State and received impulse after one interval, and after ten: 1e-10 and 1e-8 of their scale."""
+    for n_steps, tolerance in ((1, 1e-10), (10, 1e-8)):
+        one = collided(tmp_path / f'one{n_steps}', 1, n_steps)
+        many = collided(tmp_path / f'many{n_steps}', ranks, n_steps)
+        assert np.array_equal(one['id'], many['id'])
+        for names in ('x y z', 'vx vy vz', 'wx wy wz', 'jx jy jz'):
+            a, b = vectors(one, names), vectors(many, names)
+            assert np.abs(a - b).max() < tolerance * np.abs(a).max(), names
+            assert np.abs(a).max() > 0, names
+
+
+def settling(path, ranks, end):
+    """Particles that fall on a slanted STL floor and a moving wall, some of them let in during the run."""
+    case = Case(path, upper=(4e-3, 4e-3, 4e-3), cyclic='y', deltaT=1e-3, endTime=end, writeInterval=10,
+                timePrecision=12)
+    case.properties = properties(
+        output=('cloud', 'csv'),
+        walls={'slope': {'type': 'plane', 'point': (0, 0, 2e-4), 'normal': (-0.2, 0, 1), 'material': 'glass'},
+               'sides': {'type': 'patch', 'patches': ('xMin', 'xMax'), 'material': 'glass'},
+               'lid': {'type': 'plane', 'point': (0, 0, 3.8e-3), 'normal': (0, 0, 1), 'material': 'glass',
+                       'motion': {'type': 'oscillating', 'amplitude': (0, 0, 1e-4), 'period': 5e-3}}},
+        insertion={'bed': {'type': 'packed', 'material': 'glass', 'number': 150,
+                           'diameter': {'type': 'uniform', 'min': 3e-4, 'max': 4e-4},
+                           'region': {'type': 'box', 'min': (0, 0, 1.2e-3), 'max': (4e-3, 4e-3, 3.4e-3)}},
+                   'rain': {'type': 'rate', 'material': 'glass', 'numberRate': 2000,
+                            'diameter': {'type': 'mono', 'value': 3e-4}, 'velocity': (0, 0, -0.1),
+                            'region': {'type': 'box', 'min': (0, 0, 2.8e-3), 'max': (4e-3, 4e-3, 3.5e-3)}}})
+    case.mesh()
+    if ranks > 1:
+        case.decompose(ranks)
+    return case
+
+
+def run_dem(case, ranks):
+    result = case.run('demFoam', ranks=ranks)
+    assert result.code == 0, result.output
+    return result.output
+
+
+@pytest.mark.parametrize('before, after', [(1, 1), (1, 2), (2, 2), (2, 1)])
+def test_restart_equals_uninterrupted(tmp_path, before, after):
+    """Stopped at half time and gone on, also on another number of ranks: the same to round-off (1e-9 of the
+    velocities after some thousand sub-steps of collisions, which amplify it)."""
+    whole = settling(tmp_path / 'whole', 1, 0.02)
+    run_dem(whole, 1)
+
+    half = settling(tmp_path / 'half', before, 0.01)
+    run_dem(half, before)
+    if before > 1 and after == 1:
+        result = half.run('reconstructPar', '-latestTime')
+        assert result.code == 0, result.output
+    if before == 1 and after > 1:
+        half.write_dict('system/decomposeParDict', {'numberOfSubdomains': after, 'method': 'scotch'})
+        result = half.run('decomposePar', '-latestTime', '-force')
+        assert result.code == 0, result.output
+    half.control['endTime'] = 0.02
+    half.write_dict('system/controlDict', half.control)
+    log = run_dem(half, after)
+    assert 'continued from the restart of time 0.01' in log
+
+    a, b = whole.table(0.02), half.table(0.02)
+    assert len(a) == 190 and np.array_equal(a['id'], b['id'])
+    for names in ('x y z', 'vx vy vz', 'wx wy wz'):
+        x, y = vectors(a, names), vectors(b, names)
+        assert np.abs(x - y).max() < 1e-9 * np.abs(x).max(), names
+
+
+@pytest.mark.parametrize('ranks', [1, 2])
+def test_nan_in_a_bulk_force_is_named(tmp_path, ranks):
+    columns, width = cloud(60, 2e-4)
+    case = Case(tmp_path, upper=(width,)*3, cyclic='x', deltaT=2e-5, endTime=1e-4, writeInterval=1)
+    case.properties = properties()
+    case.particles(columns)
+    case.mesh()
+    if ranks > 1:
+        case.decompose(ranks)
+    case.write_file('constant/testProperties', 'poison 3;\n')
+    result = case.run('testEngine', ranks=ranks, timeout=30)
+    assert result.code != 0
+    assert 'not a finite' in result.output and 'force' in result.output
+    assert '6e-05' in result.output
+    assert not (case.path / '6e-05').exists()
+
+
+def test_prescribed_particles_on_a_path(tmp_path):
+    """x = x0 + integral of v dt, wrapped; received impulse J = (Sp (U - v) + Su) dt."""
+    case = Case(tmp_path, upper=(1e-2,)*3, cyclic='x', deltaT=1e-3, endTime=1e-2, writeInterval=10)
+    case.properties = {'engine': 'prescribed', 'materials': {'glass': MATERIAL},
+                       'insertion': properties()['insertion'],
+                       'velocity': 'table ((0 (2 0 0)) (1 (4 0 0)))'}
+    case.particles({'x': [1e-3, 9e-3], 'y': 5e-3, 'z': [2e-3, 8e-3], 'd': 1e-3})
+    case.mesh()
+    run_engine(case, {'Sp': 2e-6, 'U': (5, 0, 0), 'Su': (0, 0, 1e-5)})
+    rows = engine_table(case, 1e-2)
+    v = 2 + 2 * 1e-2
+    assert np.allclose(rows['vx'], v, rtol=1e-12)
+    assert np.allclose(rows['x'], np.mod(np.array([1e-3, 9e-3]) + 2e-2 + 1e-4, 1e-2), rtol=1e-9)
+    assert np.allclose(rows['jx'], 2e-6 * (5 - v) * 1e-3, rtol=1e-12)
+    assert np.allclose(rows['jz'], 1e-8, rtol=1e-12)
+
+
+def falling_on(path, motion, gravity, end, columns, contacts=None, **more):
+    case = Case(path, upper=(4e-3,)*3, gravity=gravity, deltaT=end / 20, endTime=end, writeInterval=1,
+                timePrecision=12)
+    case.properties = properties(
+        walls={'floor': {'type': 'plane', 'point': (0, 0, 1e-3), 'normal': (0, 0, 1), 'material': 'glass',
+                         'motion': motion}}, **{'contacts': contacts or CONTACTS, **more})
+    case.particles(columns)
+    case.mesh()
+    run_dem(case, 1)
+    return case
+
+
+def test_wall_with_velocity_hits_a_particle(tmp_path):
+    """Rebound from a wall that moves with V: v = (1 + e) V."""
+    case = falling_on(tmp_path, {'type': 'linear', 'velocity': (0, 0, 0.1)}, (0, 0, 0), 2e-3,
+                      {'x': 2e-3, 'y': 2.1e-3, 'z': 1.6e-3, 'd': 1e-3})
+    assert abs(case.table(2e-3)['vz'][0] / (1.75 * 0.1) - 1) < 0.01
+
+
+def test_oscillating_floor_carries_a_particle(tmp_path):
+    """A particle that rests on a floor at z = z0 + a sin(2 pi t/T), a omega^2 << g, follows it."""
+    a, T = 5e-6, 0.02
+    d = 1e-3
+    case = falling_on(tmp_path, {'type': 'oscillating', 'amplitude': (0, 0, a), 'period': T}, (0, 0, -9.81), T,
+                      contacts={**CONTACTS, 'default': {'restitution': 0.2, 'friction': 0.4}}, columns={'x': 2e-3, 'y': 2.1e-3, 'z': 1e-3 + d / 2, 'd': d})
+    # The floor starts with its full speed: let the bounces die first
+    for k in range(11, 21):
+        t = k * T / 20
+        z = case.table(t)['z'][0] - 1e-3 - d / 2
+        assert abs(z - a * np.sin(2 * np.pi * t / T)) < 0.05 * a
+
+
+def test_rotating_floor_drags_a_particle(tmp_path):
+    """On a floor that turns once in T about (2, 2) mm, friction accelerates a particle at r along the wall's motion
+    with mu g as long as it slips (slip speed stays close to omega r >> mu g t)."""
+    T, mu, g = 2e-3, 0.4, 9.81
+    end = 1e-3
+    case = falling_on(tmp_path, {'type': 'rotating', 'origin': (2e-3, 2e-3, 0), 'axis': (0, 0, 1), 'period': T},
+                      (0, 0, -g), end, {'x': 3e-3, 'y': 2e-3, 'z': 1.5e-3 - 2e-9, 'd': 1e-3})
+    v = vectors(case.table(end), 'vx vy vz')[0]
+    # The bed's first bounce makes the normal force uneven: its mean is the weight
+    assert abs(np.hypot(v[0], v[1]) / (mu * g * end) - 1) < 0.1
+    assert v[1] > 0
+
+
+def test_shaken_frame_is_gravity_minus_its_acceleration(tmp_path):
+    """v = g t - integral of a dt with a = A sin(2 pi f t): A/(2 pi f)(1 - cos(2 pi f t)); midpoint rule of the
+    sub-steps: 1e-6."""
+    A, f, end = 30.0, 100.0, 4e-3
+    case = Case(tmp_path, upper=(4e-3,)*3, gravity=(0, 0, -9.81), deltaT=end / 4, endTime=end, writeInterval=4)
+    case.properties = properties(frameAcceleration={'type': 'sine', 'frequency': f, 'amplitude': 1, 'scale': (A, 0, 0),
+                                                    'level': (0, 0, 0)})
+    case.particles({'x': 2e-3, 'y': 2e-3, 'z': 3e-3, 'd': 2e-4})
+    case.mesh()
+    run_dem(case, 1)
+    row = case.table(end)
+    assert abs(row['vz'][0] + 9.81 * end) < 1e-12
+    assert abs(row['vx'][0] + A / (2 * np.pi * f) * (1 - np.cos(2 * np.pi * f * end))) < 1e-6 * A * end
+
+
+def test_rate_of_insertion(tmp_path):
+    """The number let in is the integral of the rate; every one inside its region and without overlap."""
+    case = Case(tmp_path, upper=(4e-3,)*3, gravity=(0, 0, 0), deltaT=1e-3, endTime=2e-2, writeInterval=20)
+    case.properties = properties(insertion={
+        'rain': {'type': 'rate', 'material': 'glass', 'numberRate': 'table ((0 0) (0.02 20000))',
+                 'diameter': {'type': 'mono', 'value': 2e-4},
+                 'region': {'type': 'box', 'min': (0, 0, 0), 'max': (4e-3, 4e-3, 4e-3)}}})
+    case.mesh()
+    log = run_dem(case, 1)
+    counts = steps(log)['particles']
+    t = np.arange(1, 21) * 1e-3
+    assert np.abs(counts - 0.5 * 1e6 * t**2).max() <= 1
+    x = vectors(case.table(2e-2), 'x y z')
+    distance = np.linalg.norm(x[:, None] - x[None], axis=2) + np.eye(len(x))
+    assert distance.min() >= 2e-4 * (1 - 1e-9)
