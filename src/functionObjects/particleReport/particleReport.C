@@ -33,18 +33,22 @@ void Foam::dew::particleReport::print()
     const particleEngine::ledger& l = particles_.balance();
     const scalar wall = max(clock_.elapsedTime(), SMALL);
 
+    const scalar writing = output_.time() + particles_.writeTime();
+
     // Four digits are enough to read
-    std::ostringstream energy;
+    std::ostringstream energy, clock;
     energy.precision(4);
     energy << l.kineticEnergy;
+    clock.precision(2);
+    clock << std::fixed << wall;
 
     Info<< "Time = " << time_.timeName()
         << "  particles " << l.particles
         << "  sub-steps " << l.subSteps
         << "  kinetic energy " << energy.str().c_str() << " J"
-        << "  wall " << 0.01*std::round(100*wall) << " s (engine "
+        << "  wall " << clock.str().c_str() << " s (engine "
         << std::round(100*particles_.engineTime()/wall) << " %, output "
-        << std::round(100*output_.time()/wall) << " %)" << endl;
+        << std::round(100*writing/wall) << " %)" << endl;
 
     if (l.inserted || l.waiting)
     {

@@ -54,7 +54,8 @@ Foam::dew::particleEngine::particleEngine
     box_(mesh, dict),
     heat_(dict.getOrDefault<Switch>("heat", Switch(false))),
     nextId_(1),
-    engineTime_(0)
+    engineTime_(0),
+    writeTime_(0)
 {
     state_.thermal = heat_;
 
@@ -124,7 +125,7 @@ void Foam::dew::particleEngine::readRestart()
     fileName path(restartPath(mesh_.time().path()/timeName));
     bool found = Pstream::master() && isFile(path/"engine");
 
-    if (Pstream::master() && !found)
+    if (Pstream::master() && !isDir(path))
     {
         path = restartPath(mesh_.time().globalPath()/timeName);
         found = isFile(path/"engine");
@@ -140,8 +141,8 @@ void Foam::dew::particleEngine::readRestart()
         if (part)
         {
             FatalErrorInFunction
-                << "The restart of the particles in " << path
-                << " is incomplete: no file engine" << nl
+                << "The restart of the particles is incomplete: no file "
+                << path/"engine" << nl
                 << "Start from an earlier time, or remove the directory to"
                 << " begin anew at this time"
                 << exit(FatalError);
@@ -456,6 +457,7 @@ bool Foam::dew::particleEngine::writeObject
     const bool
 ) const
 {
+    const clockTime clock;
     const fileName path
     (
         restartPath(mesh_.time().path()/mesh_.time().timeName())
@@ -498,6 +500,7 @@ bool Foam::dew::particleEngine::writeObject
     }
 
     IOstream::defaultPrecision(precision);
+    writeTime_ += clock.elapsedTime();
 
     return true;
 }

@@ -75,10 +75,16 @@ Type value(const dictionary& dict, const word& key, const dimensionSet& dims)
 
     if (is.nRemainingTokens())
     {
-        token extra(is);
+        is.rewind();
         FatalIOErrorInFunction(dict)
-            << "Unexpected " << extra << " after the value of '" << key
-            << "' in " << dict.dictName() << nl
+            << "More than one value in '" << key << "' of "
+            << dict.dictName() << ':';
+        for (const token& t : is)
+        {
+            FatalIOError<< ' ' << t;
+        }
+        FatalIOError
+            << nl
             << "Give one value in SI, with a decimal point"
             << exit(FatalIOError);
     }

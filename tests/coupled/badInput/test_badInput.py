@@ -173,10 +173,10 @@ REFUSALS = {
         ('particleProperties', 'default', "'restitution'", '0.01', '0.05')),
     'restitution zero': (
         {'contacts/default/restitution': 0},
-        ('particleProperties', 'default', "'restitution'", 'is 0', 'greater than zero')),
+        ('particleProperties', 'default', "'restitution'", 'is 0', 'greater than 0.05')),
     'restitution above one': (
         {'contacts/default/restitution': 1.2},
-        ('particleProperties', 'default', "'restitution'", '1.2', 'must not exceed 1')),
+        ('particleProperties', 'default', "'restitution'", '1.2', 'not exceed 1')),
     'friction negative': (
         {'contacts/default/friction': -0.4},
         ('particleProperties', 'default', "'friction'", '-0.4', 'zero or greater')),

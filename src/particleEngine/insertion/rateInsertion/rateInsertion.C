@@ -106,7 +106,8 @@ void Foam::dew::insertionModels::rateInsertion::propose
         {
             FatalIOErrorInFunction(dict_)
                 << "The rate of insertion '" << name_ << "' is negative between"
-                << " the times " << a << " and " << b << nl
+                << " the times " << a << " and " << b << ": " << due/(b - a)
+                << nl
                 << "Entry '" << (byMass_ ? "massRate" : "numberRate")
                 << "' must be zero or greater at all times"
                 << exit(FatalIOError);

@@ -633,7 +633,7 @@ void Foam::dew::liggghtsEmbedded::run(long nSteps)
     {
         std::ostringstream os;
         os.precision(9);
-        os  << "particle " << e.id << " is not finite at time "
+        os  << "Particle " << e.id << " is not finite at time "
             << e.step*lmp_->update->dt*units_.time << " s, position ("
             << e.x[0]*units_.length << ' ' << e.x[1]*units_.length << ' '
             << e.x[2]*units_.length << ") m. Look for a sub-step, a force or a"

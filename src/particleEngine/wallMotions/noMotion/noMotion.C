@@ -6,6 +6,7 @@
 
 #include "noMotion.H"
 #include "addToRunTimeSelectionTable.H"
+#include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,8 +25,10 @@ namespace wallMotions
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::dew::wallMotions::noMotion::noMotion(const dictionary&)
-{}
+Foam::dew::wallMotions::noMotion::noMotion(const dictionary& dict)
+{
+    userEntry::onlyThese(dict, {"type"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

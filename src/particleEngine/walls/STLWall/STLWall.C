@@ -72,18 +72,20 @@ Foam::dew::walls::STLWall::shapes() const
     if (Pstream::master())
     {
         // OpenFOAM's reader does not say whose file it is
-        const bool throwing = FatalIOError.throwExceptions();
+        const bool throwing = FatalError.throwExceptions();
+        const bool throwingIO = FatalIOError.throwExceptions();
         triSurface surface;
         std::string problem;
         try
         {
             surface = triSurface(path_);
         }
-        catch (const IOerror& e)
+        catch (const error& e)
         {
             problem = e.message();
         }
-        FatalIOError.throwExceptions(throwing);
+        FatalError.throwExceptions(throwing);
+        FatalIOError.throwExceptions(throwingIO);
 
         if (surface.empty())
         {
