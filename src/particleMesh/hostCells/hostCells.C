@@ -24,6 +24,33 @@ Foam::dew::hostCells::hostCells(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::label Foam::dew::hostCells::cellOf
+(
+    const point& p,
+    const label guess
+) const
+{
+    // Engines keep neighbours in space close in memory: look at the cell of
+    // the last position and around it before searching the mesh
+    if (guess >= 0)
+    {
+        if (mesh_.pointInCell(p, guess, polyMesh::FACE_PLANES))
+        {
+            return guess;
+        }
+        for (const label celli : mesh_.cellCells()[guess])
+        {
+            if (mesh_.pointInCell(p, celli, polyMesh::FACE_PLANES))
+            {
+                return celli;
+            }
+        }
+    }
+
+    return mesh_.findCell(p);
+}
+
+
 void Foam::dew::hostCells::correct(const UList<point>& x)
 {
     const label me = Pstream::myProcNo();
@@ -89,9 +116,11 @@ void Foam::dew::hostCells::correct(const UList<point>& x)
         }
 
         theirs[rank].setSize(points.size());
+        label guess = -1;
         forAll(points, i)
         {
-            theirs[rank][i] = mesh_.findCell(points[i]);
+            guess = cellOf(points[i], guess);
+            theirs[rank][i] = guess;
         }
 
         if (rank == me)

@@ -33,18 +33,28 @@ static const double touchShell = 1.01;
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-void Foam::dew::fixIntegrate::checkFinite(const double* v, const int i) const
+void Foam::dew::fixIntegrate::checkFinite() const
 {
     // One comparison catches NaN and infinity in any component
-    const double sum = std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]);
+    const int n = 3*atom->nlocal;
+    const double* v = n ? atom->v[0] : nullptr;
+    int bad = 0;
 
-    if (!(sum < 1e150))
+    for (int i = 0; i < n; i++)
     {
-        notFinite e;
-        e.id = atom->tag[i];
-        e.step = long(update->ntimestep);
-        std::memcpy(e.x, atom->x[i], sizeof(e.x));
-        throw e;
+        bad |= !(std::fabs(v[i]) < 1e150);
+    }
+
+    for (int i = 0; bad && i < n; i++)
+    {
+        if (!(std::fabs(v[i]) < 1e150))
+        {
+            notFinite e;
+            e.id = atom->tag[i/3];
+            e.step = long(update->ntimestep);
+            std::memcpy(e.x, atom->x[i/3], sizeof(e.x));
+            throw e;
+        }
     }
 }
 
@@ -311,7 +321,6 @@ void Foam::dew::fixIntegrate::final_integrate()
                 v[i][k] += dtfm*f[i][k];
                 omega[i][k] += dtirotate*torque[i][k];
             }
-            checkFinite(v[i], i);
         }
     }
     else
@@ -337,9 +346,10 @@ void Foam::dew::fixIntegrate::final_integrate()
                 omega[i][k] += dw;
                 d[angularImpulse+k] += I*dw - dtf*torque[i][k];
             }
-            checkFinite(v[i], i);
         }
     }
+
+    checkFinite();
 
     if (heated_)
     {
@@ -444,9 +454,10 @@ int Foam::dew::fixIntegrate::unpack_exchange(int i, double* buf)
 
 int Foam::dew::fixIntegrate::pack_restart(int i, double* buf)
 {
-    buf[0] = nColumns + 1;
-    std::memcpy(buf + 1, data_[i], nColumns*sizeof(double));
-    return nColumns + 1;
+    // Bulk terms are given anew, and what was received was handed over
+    buf[0] = nKept + 1;
+    std::memcpy(buf + 1, data_[i] + keptForce, nKept*sizeof(double));
+    return nKept + 1;
 }
 
 
@@ -459,7 +470,8 @@ void Foam::dew::fixIntegrate::unpack_restart(int i, int nth)
     {
         m += static_cast<int>(extra[m]);
     }
-    std::memcpy(data_[i], extra + m + 1, nColumns*sizeof(double));
+    set_arrays(i);
+    std::memcpy(data_[i] + keptForce, extra + m + 1, nKept*sizeof(double));
 }
 
 

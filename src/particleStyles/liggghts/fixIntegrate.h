@@ -17,8 +17,8 @@ Description
     the velocity Verlet step of fix nve/sphere, operation by operation.
 
     What a particle received from these terms, the impulse m dv - F dt (and
-    angular impulse and heat), is accumulated with it, migrates with it and is
-    written to restarts. So are force and torque of the last sub-step, because
+    angular impulse and heat), is accumulated with it and migrates with it.
+    Force and torque of the last sub-step are written to restarts, because
     damping contact forces depend on the half-step velocity and cannot be
     recomputed: a run continued from a restart, or after an insertion, starts
     from the very forces it was left with.
@@ -69,7 +69,8 @@ public:
         keptForce = 24, keptTorque = 27, kept = 30,
         // derived from the above at the start of a call: dt/m phi(...)
         halfStep = 31, fullStep = 32, halfTurn = 33, heatStep = 34,
-        nColumns = 35
+        nColumns = 35,
+        nKept = 7       // keptForce, keptTorque, kept
     };
 
 private:
@@ -87,7 +88,8 @@ private:
 
     std::vector<departedParticle> departed_;
 
-    void checkFinite(const double* v, int i) const;
+    //- Throw notFinite for the first velocity that is not a number
+    void checkFinite() const;
 
 public:
 
@@ -134,8 +136,8 @@ public:
         int unpack_exchange(int, double*) override;
         int pack_restart(int, double*) override;
         void unpack_restart(int, int) override;
-        int size_restart(int) override { return nColumns + 1; }
-        int maxsize_restart() override { return nColumns + 1; }
+        int size_restart(int) override { return nKept + 1; }
+        int maxsize_restart() override { return nKept + 1; }
         double memory_usage() override;
 };
 
