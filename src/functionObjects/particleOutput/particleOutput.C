@@ -9,6 +9,7 @@
 #include "IOField.H"
 #include "OSspecific.H"
 #include "passiveParticleCloud.H"
+#include "IOPosition.H"
 #include "polyMesh.H"
 #include "Time.H"
 #include "tetBarycentric.H"
@@ -100,15 +101,25 @@ void Foam::dew::particleOutput::writeCloud
     const List<point> x(hosts_.distribute(s.x));
     const label n = cells.size();
 
-    passiveParticleCloud cloud(mesh_, cloudName, IDLList<passiveParticle>());
+    passiveParticleCloud parcels(mesh_, cloudName, IDLList<passiveParticle>());
+    tetBarycentric tets(mesh_);
     for (label i = 0; i < n; i++)
     {
-        cloud.addParticle
+        parcels.addParticle(new passiveParticle(tets.inCell(x[i], cells[i])));
+    }
+
+    // Without the fields of a cloud's own that nobody has use for
+    for
+    (
+        const auto form
+      : {cloud::geometryType::COORDINATES, cloud::geometryType::POSITIONS}
+    )
+    {
+        IOPosition<passiveParticleCloud>(parcels, form).writeObject
         (
-            new passiveParticle(tetBarycentric::inCell(mesh_, x[i], cells[i]))
+            fmt, ver, cmp, n > 0
         );
     }
-    cloud.writeObject(fmt, ver, cmp, n > 0);
 
     const auto write = [&](const word& name, const auto& values)
     {
@@ -120,7 +131,7 @@ void Foam::dew::particleOutput::writeCloud
             (
                 name,
                 mesh_.time().timeName(),
-                cloud,
+                parcels,
                 IOobject::NO_READ,
                 IOobject::NO_WRITE,
                 false

@@ -6,28 +6,37 @@
 
 #include "tetBarycentric.H"
 #include "polyMeshTetDecomposition.H"
-#include "tetIndices.H"
 
-// * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::tetBarycentric::tetBarycentric(const polyMesh& mesh)
+:
+    mesh_(mesh),
+    cell_(-1)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::passiveParticle Foam::dew::tetBarycentric::inCell
 (
-    const polyMesh& mesh,
     const point& p,
     const label celli
 )
 {
+    if (celli != cell_)
+    {
+        tets_ = polyMeshTetDecomposition::cellTetIndices(mesh_, celli);
+        cell_ = celli;
+    }
+
     barycentric best(Zero);
     scalar bestMin = -GREAT;
     label facei = -1, pti = -1;
 
-    for
-    (
-        const tetIndices& tet
-      : polyMeshTetDecomposition::cellTetIndices(mesh, celli)
-    )
+    for (const tetIndices& tet : tets_)
     {
-        const tetPointRef t(tet.tet(mesh));
+        const tetPointRef t(tet.tet(mesh_));
 
         // Six times the signed volumes opposite a, b, c and d
         const vector ab(t.b() - t.a()), ac(t.c() - t.a()), ad(t.d() - t.a());
@@ -52,7 +61,11 @@ Foam::passiveParticle Foam::dew::tetBarycentric::inCell
             facei = tet.face();
             pti = tet.tetPt();
         }
+        if (least >= 0)
+        {
+            break;
+        }
     }
 
-    return passiveParticle(mesh, best, celli, facei, pti);
+    return passiveParticle(mesh_, best, celli, facei, pti);
 }

@@ -273,6 +273,10 @@ void Foam::dew::particleEngine::insertInitial()
 
         while (model.initial(list))
         {
+            for (point& x : list.x)
+            {
+                x = box_.wrapped(x);
+            }
             checkInside(model, list);
 
             // Among themselves, and with those placed before

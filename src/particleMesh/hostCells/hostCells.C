@@ -18,6 +18,7 @@ Foam::dew::hostCells::hostCells(const polyMesh& mesh)
     ranks_(Pstream::nProcs()),
     send_(Pstream::nProcs()),
     cells_(Pstream::nProcs()),
+    found_(Pstream::nProcs()),
     nOutside_(0)
 {}
 
@@ -30,9 +31,7 @@ Foam::label Foam::dew::hostCells::cellOf
     const label guess
 ) const
 {
-    // Engines keep neighbours in space close in memory: look at the cell of
-    // the last position and around it before searching the mesh
-    if (guess >= 0)
+    if (guess >= 0 && guess < mesh_.nCells())
     {
         if (mesh_.pointInCell(p, guess, polyMesh::FACE_PLANES))
         {
@@ -115,13 +114,17 @@ void Foam::dew::hostCells::correct(const UList<point>& x)
             from >> points;
         }
 
-        theirs[rank].setSize(points.size());
-        label guess = -1;
+        // First guess: the cell of the same place in the last list, else of
+        // the position before
+        labelList& found = found_[rank];
+        const label nOld = found.size();
+        found.setSize(points.size());
         forAll(points, i)
         {
-            guess = cellOf(points[i], guess);
-            theirs[rank][i] = guess;
+            const label guess = i < nOld ? found[i] : i ? found[i - 1] : -1;
+            found[i] = cellOf(points[i], guess);
         }
+        theirs[rank] = found;
 
         if (rank == me)
         {

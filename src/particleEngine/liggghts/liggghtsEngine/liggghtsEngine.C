@@ -742,6 +742,15 @@ void Foam::dew::liggghtsEngine::pull()
                 type--;
             }
 
+            // The engine wraps only when it rebuilds its lists
+            if (box_.anyPeriodic())
+            {
+                for (point& x : state_.x)
+                {
+                    x = box_.wrapped(x);
+                }
+            }
+
             label n = 0;
             scalar mass = 0;
             vector impulse(Zero);
