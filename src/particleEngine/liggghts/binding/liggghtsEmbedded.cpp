@@ -12,6 +12,7 @@
 #include "fixIntegrate.h"
 #include "registerStyles.h"
 
+#include <algorithm>
 #include <cfenv>
 #include <cstdio>
 #include <cmath>
@@ -316,7 +317,22 @@ void Foam::dew::liggghtsEmbedded::command(const std::string& line)
 {
     trapsOff guard;
     outputOff quiet;
-    lammps_command(lmp_, line.c_str());
+
+    // As a library the engine would remember an include and never read it
+    std::istringstream words(line);
+    std::string first, path;
+    words >> first >> std::ws;
+    std::getline(words, path);
+
+    if (first == "include")
+    {
+        path.erase(std::remove(path.begin(), path.end(), '"'), path.end());
+        lammps_file(lmp_, &path[0]);
+    }
+    else
+    {
+        lammps_command(lmp_, line.c_str());
+    }
 }
 
 
