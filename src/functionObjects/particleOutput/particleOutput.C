@@ -101,6 +101,13 @@ void Foam::dew::particleOutput::writeCloud
     const List<point> x(hosts_.distribute(s.x));
     const label n = cells.size();
 
+    const label outside = returnReduce(hosts_.nOutside(), sumOp<label>());
+    if (outside)
+    {
+        Info<< "    outside the mesh, and not in the cloud: " << outside
+            << " particles" << endl;
+    }
+
     passiveParticleCloud parcels(mesh_, cloudName, IDLList<passiveParticle>());
     tetBarycentric tets(mesh_);
     for (label i = 0; i < n; i++)

@@ -9,6 +9,7 @@
 #include "Pstream.H"
 #include "Time.H"
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -84,7 +85,8 @@ void Foam::dew::vtkSeries::resume(const scalar time)
         {
             continue;
         }
-        const scalar t = std::stod(line.substr(at + key.size()));
+        const scalar t =
+            std::strtod(line.c_str() + at + key.size(), nullptr);
 
         if (t < time*(1 - 1e-9))
         {

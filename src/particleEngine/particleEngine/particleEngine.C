@@ -347,7 +347,15 @@ void Foam::dew::particleEngine::insertDuring(const scalar t0, const scalar t1)
 
             if (list.size() == 0)
             {
-                break;
+                if (model.waiting() == 0)
+                {
+                    break;
+                }
+                continue;
+            }
+            for (point& x : list.x)
+            {
+                x = box_.wrapped(x);
             }
 
             boolList hit(list.size(), false);
@@ -410,10 +418,25 @@ void Foam::dew::particleEngine::account()
     ledger_.particles = returnReduce(state_.size(), sumOp<label>());
 
     const label expected = before + ledger_.inserted - ledger_.departed;
-    if (ledger_.subSteps > 0 && ledger_.particles != expected)
+    const label surplus = ledger_.particles - expected;
+
+    if (ledger_.subSteps > 0 && surplus > 0)
+    {
+        // The engine's own insertion, from native commands
+        ledger_.inserted += surplus;
+        ledger_.insertedTotal += surplus;
+
+        label last = nextId_ - 1;
+        for (const label id : state_.id)
+        {
+            last = max(last, id);
+        }
+        nextId_ = returnReduce(last, maxOp<label>()) + 1;
+    }
+    if (ledger_.subSteps > 0 && surplus < 0)
     {
         FatalErrorInFunction
-            << "The engine lost " << expected - ledger_.particles << " of "
+            << "The engine lost " << -surplus << " of "
             << expected << " particles at time " << mesh_.time().timeName()
             << nl << "A particle that crosses the domain, or a rank's part of"
             << " it, within one sub-step cannot be followed. Look for a"
@@ -439,6 +462,8 @@ void Foam::dew::particleEngine::evolve(const bulkForces& forces)
     const scalar t1 = mesh_.time().value();
     const scalar t0 = t1 - mesh_.time().deltaTValue();
     const clockTime clock;
+
+    forces.check(state_.size());
 
     ledger_.impulse = Zero;
     ledger_.heat = 0;

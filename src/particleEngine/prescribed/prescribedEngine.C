@@ -50,7 +50,7 @@ Foam::dew::prescribedEngine::prescribedEngine
         dict,
         {
             "FoamFile", "engine", "periodic", "heat", "overlapTolerance",
-            "materials", "insertion", "velocity", "coupling", "output"
+            "materials", "insertion", "velocity", "output"
         }
     );
 
@@ -59,6 +59,19 @@ Foam::dew::prescribedEngine::prescribedEngine
         FatalIOErrorInFunction(dict)
             << "No materials: add the sub-dictionaries materials and insertion"
             << exit(FatalIOError);
+    }
+
+    for (const insertionModel& model : insertion_)
+    {
+        if (model.attempts() > 0)
+        {
+            FatalIOErrorInFunction(model.dict())
+                << "Insertion '" << model.name() << "' lets particles in"
+                << " during the run; prescribed particles are there from the"
+                << " start" << nl << "Use insertion of type file or packed, or"
+                << " the engine liggghts"
+                << exit(FatalIOError);
+        }
     }
 
     if (dict.found("velocity"))

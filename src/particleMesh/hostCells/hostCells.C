@@ -25,6 +25,36 @@ Foam::dew::hostCells::hostCells(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::dew::hostCells::wellInside
+(
+    const point& p,
+    const label celli
+) const
+{
+    // Near a face the guess must not decide: the answer would depend on where
+    // the particle came from
+    const scalar margin = 1e-3;
+
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const vector& Sf = mesh_.faceAreas()[facei];
+        const scalar outward = mesh_.faceOwner()[facei] == celli ? 1 : -1;
+        const scalar area = mag(Sf);
+
+        if
+        (
+            outward*((p - mesh_.faceCentres()[facei]) & Sf)
+          > -margin*area*sqrt(area)
+        )
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
 Foam::label Foam::dew::hostCells::cellOf
 (
     const point& p,
@@ -33,13 +63,13 @@ Foam::label Foam::dew::hostCells::cellOf
 {
     if (guess >= 0 && guess < mesh_.nCells())
     {
-        if (mesh_.pointInCell(p, guess, polyMesh::FACE_PLANES))
+        if (wellInside(p, guess))
         {
             return guess;
         }
         for (const label celli : mesh_.cellCells()[guess])
         {
-            if (mesh_.pointInCell(p, celli, polyMesh::FACE_PLANES))
+            if (wellInside(p, celli))
             {
                 return celli;
             }

@@ -123,7 +123,7 @@ void Foam::dew::fixIntegrate::expect(const double maxRadius, const bool heated)
 }
 
 
-void Foam::dew::fixIntegrate::loaded(const bool anyTerm)
+void Foam::dew::fixIntegrate::load(const bool anyTerm)
 {
     loaded_ = anyTerm;
 

@@ -105,8 +105,14 @@ public:
 
     void expect(double maxRadius, bool heated);
 
-    //- Bulk terms have been written: which, and the derived columns
-    void loaded(bool anyTerm);
+    //- Is there a heat balance?
+    bool heated() const { return heated_; }
+
+    //- Are there bulk terms?
+    bool loaded() const { return loaded_; }
+
+    //- Bulk terms have been written, or are gone: set the derived columns
+    void load(bool anyTerm);
 
     //- Store force and torque so that the next setup returns to them
     void keepForces();

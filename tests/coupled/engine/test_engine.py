@@ -392,3 +392,64 @@ def test_rate_of_insertion(tmp_path):
     x = vectors(case.table(2e-2), 'x y z')
     distance = np.linalg.norm(x[:, None] - x[None], axis=2) + np.eye(len(x))
     assert distance.min() >= 2e-4 * (1 - 1e-9)
+
+
+def test_every_batch_falls_from_the_start(tmp_path):
+    """Particles of several insertions, some during the run, and a force of the user's: v = (g + F/m) t for those there
+    from the start, exactly, however often the engine is set up again."""
+    d, end, push = 2e-4, 4e-3, 1e-8
+    m = 2500 * np.pi / 6 * d**3
+    box = {'type': 'mono', 'value': d}
+    regions = [{'type': 'box', 'min': (0, 0, z), 'max': (4e-3, 4e-3, z + 1e-3)} for z in (1e-3, 2e-3)]
+    case = Case(tmp_path, upper=(4e-3,)*3, deltaT=end / 8, endTime=end, writeInterval=8)
+    case.properties = properties(
+        timeStep={'deltaT': 1e-6}, commands=(quoted(f'fix push all addforce {push} 0 0'),),
+        insertion={'one': {'type': 'packed', 'material': 'glass', 'number': 30, 'diameter': box, 'region': regions[0]},
+                   'two': {'type': 'packed', 'material': 'glass', 'number': 30, 'diameter': box, 'region': regions[1],
+                           'seed': 2},
+                   'rain': {'type': 'rate', 'material': 'glass', 'numberRate': 5000, 'diameter': box,
+                            'region': {'type': 'box', 'min': (0, 0, 3.2e-3), 'max': (4e-3, 4e-3, 3.9e-3)}}})
+    case.mesh()
+    run_dem(case, 1)
+    rows = case.table(end)
+    assert len(rows) == 80
+    first = rows[rows['id'] <= 60]
+    assert np.abs(first['vz'] + 9.81 * end).max() < 1e-12
+    assert np.abs(first['vx'] - push / m * end).max() < 1e-12
+
+
+def test_plane_below_the_mesh_is_reached(tmp_path):
+    """The engine's box holds the walls: a particle falls out of the mesh onto a plane below it, and is still there."""
+    d = 4e-4
+    case = Case(tmp_path, upper=(4e-3,)*3, deltaT=2e-3, endTime=8e-2, writeInterval=40)
+    case.properties = properties(walls={'below': {'type': 'plane', 'point': (0, 0, -3e-3), 'normal': (0, 0, 1),
+                                                  'material': 'glass'}}, output=('cloud', 'csv'))
+    case.particles({'x': 2e-3, 'y': 2e-3, 'z': 1e-3, 'd': d})
+    case.mesh()
+    log = run_dem(case, 1)
+    # Between two bounces
+    assert -3e-3 + d / 2 - 1e-3 * d < case.table(8e-2)['z'][0] < 0
+    assert 'outside the mesh, and not in the cloud: 1 particles' in log
+
+
+REFUSED = {
+    'rate with prescribed': ({'engine': 'prescribed', 'contacts': None, 'insertion': {'rain': {
+        'type': 'rate', 'material': 'glass', 'numberRate': 1, 'diameter': {'type': 'mono', 'value': 1e-4},
+        'region': {'type': 'box', 'min': (0, 0, 0), 'max': (1e-3, 1e-3, 1e-3)}}}}, ('rain', 'prescribed', 'packed')),
+    'second integrator': ({'commands': (quoted('fix nve all nve/sphere'),)}, ('nve', 'remove it')),
+    'input and walls': ({'materials': None, 'contacts': None, 'insertion': None, 'input': quoted('x'),
+                         'walls': {}}, ("'input' and 'walls'", 'Remove')),
+}
+
+
+@pytest.mark.parametrize('what', REFUSED)
+def test_refused(tmp_path, what):
+    changes, words = REFUSED[what]
+    case = Case(tmp_path, upper=(4e-3,)*3)
+    case.properties = {k: v for k, v in {**properties(), **changes}.items() if v is not None}
+    case.particles({'x': 2e-3, 'y': 2e-3, 'z': 1e-3, 'd': 1e-4})
+    case.mesh()
+    result = case.run('demFoam')
+    assert result.code != 0 and result.output.count('FATAL') == 1
+    for word in words:
+        assert word in result.output, result.output

@@ -48,7 +48,10 @@ Foam::dew::insertionModels::rateInsertion::rateInsertion
     byMass_(dict.found("massRate")),
     start_(userEntry::notNegativeOr(dict, "start", dimTime, 0)),
     end_(userEntry::notNegativeOr(dict, "end", dimTime, VGREAT)),
-    attempts_(dict.getOrDefault<label>("attempts", 50)),
+    attempts_
+    (
+        dict.found("attempts") ? userEntry::count(dict, "attempts") : 20
+    ),
     owed_(0),
     sizes_(0),
     places_(0)
@@ -68,6 +71,15 @@ Foam::dew::insertionModels::rateInsertion::rateInsertion
         FatalIOErrorInFunction(dict)
             << "In " << dict.dictName()
             << " give one of numberRate and massRate"
+            << exit(FatalIOError);
+    }
+
+    if (cmptMin(region_->bounds().span()) < diameter_->max())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The region of insertion '" << name << "' spans "
+            << region_->bounds().span() << ", a particle may have a diameter of "
+            << diameter_->max() << nl << "Enlarge the region"
             << exit(FatalIOError);
     }
 
@@ -142,25 +154,21 @@ void Foam::dew::insertionModels::rateInsertion::propose
     {
         const scalar d = waiting_[w];
         const scalar r = 0.5*d;
-        point p(bb.midpoint());
 
-        for (label i = 0; i < attempts_; i++)
+        point p;
+        for (direction k = 0; k < 3; k++)
         {
-            for (direction k = 0; k < 3; k++)
-            {
-                p[k] = bb.min()[k] + random.uniform()*bb.span()[k];
-            }
-            if (region_->holds(p, r) && grid.overlapping(p, r) < 0)
-            {
-                grid.append(p, r);
-                list.append(material_, p, velocity_, omega_, d, T_);
-                offered_.append(w);
-                break;
-            }
+            p[k] = bb.min()[k] + r + random.uniform()*(bb.span()[k] - d);
+        }
+        if (region_->holds(p, r) && grid.overlapping(p, r) < 0)
+        {
+            grid.append(p, r);
+            list.append(material_, p, velocity_, omega_, d, T_);
+            offered_.append(w);
         }
     }
 
-    places_ = label(random.counter());
+    places_ = random.counter();
 }
 
 
@@ -192,7 +200,7 @@ void Foam::dew::insertionModels::rateInsertion::write(dictionary& dict) const
 {
     dict.add("owed", owed_);
     dict.add("sizes", sizes_);
-    dict.add("places", places_);
+    dict.add("places", scalar(places_));     // exact to 2^53
     dict.add("waiting", List<scalar>(waiting_));
 }
 
@@ -201,6 +209,6 @@ void Foam::dew::insertionModels::rateInsertion::read(const dictionary& dict)
 {
     dict.readEntry("owed", owed_);
     dict.readEntry("sizes", sizes_);
-    dict.readEntry("places", places_);
+    places_ = uint64_t(dict.get<scalar>("places"));
     waiting_ = dict.get<List<scalar>>("waiting");
 }

@@ -30,6 +30,7 @@
 #include "atom_vec.h"
 #include "comm.h"
 #include "domain.h"
+#include "fix.h"
 #include "fix_property_atom.h"
 #include "integrate.h"
 #include "lammps.h"
@@ -102,6 +103,9 @@ class liggghtsEmbedded
     engineUnits units_;
     fixIntegrate* integrate_;
 
+    //- Do forces belong to the present particles?
+    bool forcesValid_;
+
     //- The integrator, made by the command "fix ... dew/integrate"
     fixIntegrate& integrator();
 
@@ -118,6 +122,7 @@ public:
     void command(const std::string&) override;
     void units(const engineUnits& u) override { units_ = u; }
     void expect(double maxRadius, bool heat) override;
+    double deltaT() const override { return lmp_->update->dt*units_.time; }
     void gravity(std::function<void(double, double*)>) override;
     long add(const newParticles&) override;
     void overlapping
@@ -216,7 +221,8 @@ Foam::dew::liggghtsEmbedded::liggghtsEmbedded(const liggghtsOptions& options)
     ownMpi_(false),
     world_(MPI_COMM_NULL),
     lmp_(nullptr),
-    integrate_(nullptr)
+    integrate_(nullptr),
+    forcesValid_(false)
 {
     int initialised = 0;
     MPI_Initialized(&initialised);
@@ -279,6 +285,20 @@ Foam::dew::fixIntegrate& Foam::dew::liggghtsEmbedded::integrator()
             (
                 "no integrator: the commands lack 'fix <id> all dew/integrate'"
             );
+        }
+
+        for (int i = 0; i < lmp_->modify->nfix; i++)
+        {
+            const Fix* fix = lmp_->modify->fix[i];
+            if (fix->time_integrate && fix != integrate_)
+            {
+                throw std::runtime_error
+                (
+                    std::string("fix ") + fix->id + " (" + fix->style
+                  + ") moves the particles, too: remove it, they are moved by"
+                    " dew/integrate"
+                );
+            }
         }
     }
 
@@ -393,8 +413,13 @@ long Foam::dew::liggghtsEmbedded::add(const newParticles& p)
         )
     );
 
-    // Particles already there go on from the forces they have
-    integrator().keepForces();
+    // Particles already there go on from the forces they have; those added
+    // since the last set-up have none yet
+    if (forcesValid_)
+    {
+        integrator().keepForces();
+        forcesValid_ = false;
+    }
 
     // Values of the new ones are set below: the engine's first set-up would
     // return them to their defaults
@@ -600,6 +625,7 @@ void Foam::dew::liggghtsEmbedded::setup()
     lmp_->init();
     update.integrate->setup();
     lmp_->timer->init();
+    forcesValid_ = true;
 }
 
 
@@ -611,8 +637,14 @@ void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
     const int* id = lmp_->atom->tag;
     const engineUnits& u = units_;
 
-    const bool anyTerm =
-        b.Su || b.Sp || b.Tu || b.Tp || b.Qu || b.Qp;
+    // Decided together: a particle may migrate to a rank that pushed nothing
+    int any = b.Su || b.Sp || b.Tu || b.Tp || b.Qu || b.Qp;
+    MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, world_);
+
+    if (!any && !data.loaded() && !data.heated())
+    {
+        return;
+    }
 
     setColumn(data, id, n, b.Su, f::Su, 3, 1/u.force());
     setColumn(data, id, n, b.Sp, f::Sp, 1, u.velocity()/u.force());
@@ -629,10 +661,7 @@ void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
         std::memset(data[i] + f::impulse, 0, 7*sizeof(double));
     }
 
-    // Decided together: a particle may migrate to a rank that pushed nothing
-    int any = anyTerm;
-    MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, world_);
-    data.loaded(any);
+    data.load(any);
 }
 
 
@@ -655,6 +684,14 @@ void Foam::dew::liggghtsEmbedded::run(long nSteps)
             << e.x[2]*units_.length << ") m. Look for a sub-step, a force or a"
             " velocity that is too large";
         throw std::runtime_error(os.str());
+    }
+
+    if (outsideBox())
+    {
+        // Let them go now, not when the engine next rebuilds its lists: they
+        // would not be found again when a restart is read
+        integrator().keepForces();
+        setup();
     }
 }
 
@@ -725,13 +762,6 @@ long Foam::dew::liggghtsEmbedded::total() const
 void Foam::dew::liggghtsEmbedded::writeRestart(const std::string& file)
 {
     trapsOff guard;
-
-    if (outsideBox())
-    {
-        // They would not be found again when the file is read
-        integrator().keepForces();
-        setup();
-    }
 
     integrator().keepForces();
     lmp_->atom->natoms = total();

@@ -468,15 +468,16 @@ void Foam::dew::liggghtsCommands::conduction(const scalar T0)
 }
 
 
-void Foam::dew::liggghtsCommands::end(const scalar deltaT, const bool gravity)
+void Foam::dew::liggghtsCommands::integrator()
+{
+    add("fix integrate all dew/integrate");
+}
+
+
+void Foam::dew::liggghtsCommands::end(const scalar deltaT)
 {
     add("timestep " + engineText(deltaT/units_.time));
-
-    if (gravity)
-    {
-        add("fix gravity all dew/gravity");
-    }
-    add("fix integrate all dew/integrate");
+    add("fix gravity all dew/gravity");
     add("thermo 0");
     add("thermo_modify lost ignore norm no");
 }

@@ -15,6 +15,7 @@
 #include "userEntry.H"
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <zlib.h>
@@ -130,7 +131,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             "FoamFile", "engine", "periodic", "heat", "overlapTolerance",
             "materials", "contacts", "walls", "insertion", "timeStep", "skin",
             "processors", "commands", "input", "library", "frameAcceleration",
-            "coupling", "output"
+            "output"
         }
     );
 
@@ -138,12 +139,24 @@ Foam::dew::liggghtsEngine::liggghtsEngine
 
     if (native_)
     {
-        if (dict.found("materials"))
+        for
+        (
+            const word& key
+          : wordList
+            ({
+                "materials", "contacts", "walls", "insertion", "skin",
+                "processors", "frameAcceleration", "heat"
+            })
+        )
         {
-            FatalIOErrorInFunction(dict)
-                << "Entries 'input' and 'materials' exclude each other: the"
-                << " input file brings its own materials"
-                << exit(FatalIOError);
+            if (dict.found(key))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entries 'input' and '" << key << "' exclude each"
+                    << " other: the input file brings its own" << nl
+                    << "Remove one of them"
+                    << exit(FatalIOError);
+            }
         }
 
         deltaT_ = userEntry::positive
@@ -190,16 +203,29 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             e.units(units_);
             e.expect(0.5*maxDiameter_, heat_);
 
+            if (mag(e.deltaT()/deltaT_ - 1) > 1e-9)
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "The native input sets a timestep of " << e.deltaT()
+                    << " s, timeStep.deltaT is " << deltaT_ << " s" << nl
+                    << "Make them the same"
+                    << exit(FatalIOError);
+            }
+
             if (!native_)
             {
+                // The engine counts from its first step, also across restarts
+                const scalar start =
+                    mesh_.time().value() - e.step()*deltaT_;
+
                 e.gravity
                 (
-                    [this](double t, double* g)
+                    [this, start](double t, double* g)
                     {
                         vector value(g_);
                         if (frameAcceleration_)
                         {
-                            value -= frameAcceleration_->value(t);
+                            value -= frameAcceleration_->value(start + t);
                         }
                         std::memcpy(g, &value, 3*sizeof(double));
                     }
@@ -332,6 +358,16 @@ void Foam::dew::liggghtsEngine::chooseUnits()
         units_.length = restart_.get<scalar>("unitLength");
         units_.mass = restart_.get<scalar>("unitMass");
         units_.time = restart_.get<scalar>("unitTime");
+
+        if (dict_.found("commands") && units_.length != 1)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Entry 'commands' in " << dict_.dictName() << " is in SI,"
+                << " but the restart was written without it, in units of "
+                << units_.length << " m" << nl
+                << "Start from the beginning, or remove the entry"
+                << exit(FatalIOError);
+        }
         return;
     }
 
@@ -378,6 +414,22 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
         {
             boundBox own(shape.corners, false);
             own.reduce();
+
+            // Planes and cylinders are endless: where they cross the box
+            if (shape.what != wallShape::triangles)
+            {
+                point low(box_.bounds().min()), high(box_.bounds().max());
+                for (direction k = 0; k < 3; k++)
+                {
+                    const bool along = (k == direction(shape.axis));
+                    if (along == (shape.what == wallShape::plane))
+                    {
+                        low[k] = shape.position[k] - shape.radius;
+                        high[k] = shape.position[k] + shape.radius;
+                    }
+                }
+                own = boundBox(low, high);
+            }
             if (own.valid())
             {
                 wide.add
@@ -405,12 +457,33 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
 
     if (restarted())
     {
+        // The engine's box is that of the first start
+        const boundBox first
+        (
+            restart_.get<point>("boxMin"), restart_.get<point>("boxMax")
+        );
+        boundBox inflated(first);
+        inflated.inflate(1e-9);
+
+        if (!inflated.contains(wide))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Walls reach out to " << wide << " until endTime, the"
+                << " engine's box is " << first << " since the first start"
+                << nl << "Start from the beginning with this endTime, or end"
+                << " earlier"
+                << exit(FatalIOError);
+        }
+        wide = first;
+
         commands.readRestart(checkedRestartFile());
     }
     else
     {
         commands.box(box_, wide, materials_->size());
     }
+
+    engineBox_ = wide;
 
     commands.contact
     (
@@ -439,12 +512,13 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
     {
         commands.conduction(293.15);
     }
-    commands.end(deltaT_, true);
+    commands.end(deltaT_);
 
     if (dict_.found("commands"))
     {
         commands.native(dict_.get<List<string>>("commands"));
     }
+    commands.integrator();
 }
 
 
@@ -477,8 +551,6 @@ void Foam::dew::liggghtsEngine::nativeInput(DynamicList<std::string>& lines)
     }
 
     lines.append("include \"" + path + '"');
-    lines.append("fix integrate all dew/integrate");
-
     if (dict_.found("commands"))
     {
         for (const string& line : dict_.get<List<string>>("commands"))
@@ -486,6 +558,7 @@ void Foam::dew::liggghtsEngine::nativeInput(DynamicList<std::string>& lines)
             lines.append(line);
         }
     }
+    lines.append("fix integrate all dew/integrate");
 }
 
 
@@ -505,6 +578,7 @@ void Foam::dew::liggghtsEngine::execute(const UList<std::string>& lines)
         }
     }
 
+    // The user's own are the last but the integrator
     const label nOwn =
         dict_.found("commands")
       ? dict_.get<List<string>>("commands").size()
@@ -515,7 +589,7 @@ void Foam::dew::liggghtsEngine::execute(const UList<std::string>& lines)
         const std::string& line = lines[i];
         const std::string origin
         (
-            i < lines.size() - nOwn
+            i < lines.size() - 1 - nOwn || i == lines.size() - 1
           ? "made from constant/particleProperties, see dem/in.particles"
           : "entry 'commands' in constant/particleProperties"
         );
@@ -545,8 +619,16 @@ void Foam::dew::liggghtsEngine::printSetup() const
     Info<< nl << "Engine: " << library_.engine().version().c_str()
         << ", one unit is " << units_.length << " m, " << units_.mass
         << " kg, " << units_.time << " s" << nl
-        << "Gravity: " << g_ << (frameAcceleration_ ? " and a shaken frame" : "")
-        << nl << endl;
+        << "Gravity: ";
+    if (native_)
+    {
+        Info<< "as in the input file";
+    }
+    else
+    {
+        Info<< g_ << (frameAcceleration_ ? " and a shaken frame" : "");
+    }
+    Info<< nl << endl;
 }
 
 
@@ -558,8 +640,11 @@ Foam::fileName Foam::dew::liggghtsEngine::checkedRestartFile() const
     if (Pstream::master())
     {
         const std::pair<long, unsigned long> found(checksum(path));
-        const long length = std::stol(restart_.get<string>("bytes"));
-        const unsigned long crc = std::stoul(restart_.get<string>("crc32"));
+        // strto..., not sto...: a damaged number is a wrong one, no exception
+        const long length =
+            std::strtol(restart_.get<string>("bytes").c_str(), nullptr, 10);
+        const unsigned long crc =
+            std::strtoul(restart_.get<string>("crc32").c_str(), nullptr, 10);
 
         if (found.first != length || found.second != crc)
         {
@@ -689,20 +774,11 @@ Foam::label Foam::dew::liggghtsEngine::advance
         "advancing to time " + mesh_.time().timeName(),
         [&](liggghtsBinding& e)
         {
-            if (needsSetup_)
-            {
-                // Bulk forces follow the state's order, set-up changes it
-                e.push(view);
-                e.setup();
-            }
-            else
-            {
-                e.push(view);
-            }
+            // In the state's order: pull() has set the engine up
+            e.push(view);
             e.run(n);
         }
     );
-    needsSetup_ = false;
 
     return n;
 }
@@ -808,4 +884,6 @@ void Foam::dew::liggghtsEngine::writeRestart
     dict.add("unitLength", units_.length);
     dict.add("unitMass", units_.mass);
     dict.add("unitTime", units_.time);
+    dict.add("boxMin", engineBox_.min());
+    dict.add("boxMax", engineBox_.max());
 }

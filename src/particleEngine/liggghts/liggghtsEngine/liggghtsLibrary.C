@@ -70,7 +70,11 @@ Foam::dew::liggghtsLibrary::liggghtsLibrary
     }
 
     const std::string found(engine_->version());
-    if (found.find("LIGGGHTS") == std::string::npos && found.find("3.8") == std::string::npos)
+    if
+    (
+        found.find("LIGGGHTS") == std::string::npos
+     || found.find("3.8") == std::string::npos
+    )
     {
         FatalIOErrorInFunction(dict)
             << "The engine reports itself as '" << found.c_str()
