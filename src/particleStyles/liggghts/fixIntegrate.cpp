@@ -245,12 +245,6 @@ void Foam::dew::fixIntegrate::initial_integrate(int)
     const double* radius = atom->radius;
     const double* rmass = atom->rmass;
 
-    if (heated_)
-    {
-        std::memset(heatFlux_->vector_atom, 0, n*sizeof(double));
-        temperature_->do_forward_comm();
-    }
-
     if (!loaded_)
     {
         for (int i = 0; i < n; i++)

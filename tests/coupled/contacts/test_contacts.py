@@ -83,6 +83,12 @@ def test_rebound_from_walls(tmp_path, shape):
     assert abs(after @ n / (0.5 * E) - 1) < 0.01
     assert np.abs(after - (after @ n) * n - 0.1 * t).max() < 1e-6
 
+    # Where it is: touch after 0.2 R/0.5, contact as long as Hertz' 2.87 (m^2/(R E*^2 v))^0.2, way back; 1 % of R
+    m = 2500 * 4 / 3 * np.pi * R**3
+    contact = 2.87 * (m**2 / (R * E_STAR**2 * 0.5))**0.2
+    way = (np.array([row[k] for k in 'xyz']) - touch) @ n
+    assert abs(way - (R + 0.5 * E * (end - 0.2 * R / 0.5 - contact))) < 0.01 * R
+
 
 def test_area_cohesion_holds_at_its_equilibrium(tmp_path):
     """Two spheres with cohesion k_c times contact area come to rest where 4/3 E* sqrt(R*) xi^1.5 = k_c A(xi), with A

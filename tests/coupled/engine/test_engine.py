@@ -259,10 +259,10 @@ def run_dem(case, ranks):
 def test_restart_equals_uninterrupted(tmp_path, before, after):
     """Stopped at half time and gone on, also on another number of ranks: the same to round-off (1e-9 of the
     velocities after some thousand sub-steps of collisions, which amplify it)."""
-    whole = settling(tmp_path / 'whole', 1, 0.02)
+    whole = settling(tmp_path / 'whole', 1, 0.03)
     run_dem(whole, 1)
 
-    half = settling(tmp_path / 'half', before, 0.01)
+    half = settling(tmp_path / 'half', before, 0.02)
     run_dem(half, before)
     if before > 1 and after == 1:
         result = half.run('reconstructPar', '-latestTime')
@@ -271,13 +271,13 @@ def test_restart_equals_uninterrupted(tmp_path, before, after):
         half.write_dict('system/decomposeParDict', {'numberOfSubdomains': after, 'method': 'scotch'})
         result = half.run('decomposePar', '-latestTime', '-force')
         assert result.code == 0, result.output
-    half.control['endTime'] = 0.02
+    half.control['endTime'] = 0.03
     half.write_dict('system/controlDict', half.control)
     log = run_dem(half, after)
-    assert 'continued from the restart of time 0.01' in log
+    assert 'continued from the restart of time 0.02' in log
 
-    a, b = whole.table(0.02), half.table(0.02)
-    assert len(a) == 190 and np.array_equal(a['id'], b['id'])
+    a, b = whole.table(0.03), half.table(0.03)
+    assert len(a) == 210 and np.array_equal(a['id'], b['id'])
     for names in ('x y z', 'vx vy vz', 'wx wy wz'):
         x, y = vectors(a, names), vectors(b, names)
         assert np.abs(x - y).max() < 1e-9 * np.abs(x).max(), names

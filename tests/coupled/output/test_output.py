@@ -55,6 +55,11 @@ def test_cloud_is_where_the_particles_are(tmp_path, scale, ranks):
     assert np.array_equal(ids[order], rows['id'])
     x = foam_vectors(cloud / 'positions')[order]
     v = foam_vectors(cloud / 'U')[order]
+
+    # blockMesh counts the cells along x, then y, then z
+    cells = np.array(re.findall(r'\) (\d+)\n', (cloud / 'positions').read_text()), dtype=int)[order]
+    i, j, k = (np.floor(x / (1e-3 * scale)).astype(int)).T
+    assert np.array_equal(cells, i + 4 * j + 16 * k)
     assert np.abs(x - np.stack([rows[k] for k in 'xyz'], 1)).max() < 1e-12 * 4e-3 * scale
     assert np.abs(v - np.stack([rows['v' + k] for k in 'xyz'], 1)).max() < 1e-12
 
