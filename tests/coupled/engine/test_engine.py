@@ -232,7 +232,7 @@ def settling(path, ranks, end):
     case = Case(path, upper=(4e-3, 4e-3, 4e-3), cyclic='y', deltaT=1e-3, endTime=end, writeInterval=10,
                 timePrecision=12)
     case.properties = properties(
-        output=('cloud', 'csv'),
+        output=('cloud', 'csv'), materials={'glass': {**MATERIAL, 'youngsModulus': 5e6}},
         walls={'slope': {'type': 'plane', 'point': (0, 0, 2e-4), 'normal': (-0.2, 0, 1), 'material': 'glass'},
                'sides': {'type': 'patch', 'patches': ('xMin', 'xMax'), 'material': 'glass'},
                'lid': {'type': 'plane', 'point': (0, 0, 3.8e-3), 'normal': (0, 0, 1), 'material': 'glass',
@@ -240,7 +240,7 @@ def settling(path, ranks, end):
         insertion={'bed': {'type': 'packed', 'material': 'glass', 'number': 150,
                            'diameter': {'type': 'uniform', 'min': 3e-4, 'max': 4e-4},
                            'region': {'type': 'box', 'min': (0, 0, 1.2e-3), 'max': (4e-3, 4e-3, 3.4e-3)}},
-                   'rain': {'type': 'rate', 'material': 'glass', 'numberRate': 2000,
+                   'rain': {'type': 'rate', 'material': 'glass', 'numberRate': 2000, 'end': 0.02,
                             'diameter': {'type': 'mono', 'value': 3e-4}, 'velocity': (0, 0, -0.1),
                             'region': {'type': 'box', 'min': (0, 0, 2.8e-3), 'max': (4e-3, 4e-3, 3.5e-3)}}})
     case.mesh()
@@ -257,27 +257,29 @@ def run_dem(case, ranks):
 
 @pytest.mark.parametrize('before, after', [(1, 1), (1, 2), (2, 2), (2, 1)])
 def test_restart_equals_uninterrupted(tmp_path, before, after):
-    """Stopped at half time and gone on, also on another number of ranks: the same to round-off (1e-9 of the
-    velocities after some thousand sub-steps of collisions, which amplify it)."""
-    whole = settling(tmp_path / 'whole', 1, 0.03)
+    """Stopped when most have come to rest on each other, and gone on, also on another number of ranks: the same to
+    round-off (1e-9 of the velocities after thousands of sub-steps with contacts, which amplify it)."""
+    whole = settling(tmp_path / 'whole', 1, 0.07)
     run_dem(whole, 1)
 
-    half = settling(tmp_path / 'half', before, 0.02)
+    half = settling(tmp_path / 'half', before, 0.06)
     run_dem(half, before)
     if before > 1 and after == 1:
         result = half.run('reconstructPar', '-latestTime')
         assert result.code == 0, result.output
     if before == 1 and after > 1:
-        half.write_dict('system/decomposeParDict', {'numberOfSubdomains': after, 'method': 'scotch'})
+        # Across the slope, where both ranks have particles (see ARCHITECTURE.md, known ugliness)
+        half.write_dict('system/decomposeParDict', {'numberOfSubdomains': after, 'method': 'simple',
+                                                    'simpleCoeffs': {'n': (1, after, 1), 'delta': 1e-3}})
         result = half.run('decomposePar', '-latestTime', '-force')
         assert result.code == 0, result.output
-    half.control['endTime'] = 0.03
+    half.control['endTime'] = 0.07
     half.write_dict('system/controlDict', half.control)
     log = run_dem(half, after)
-    assert 'continued from the restart of time 0.02' in log
+    assert 'continued from the restart of time 0.06' in log
 
-    a, b = whole.table(0.03), half.table(0.03)
-    assert len(a) == 210 and np.array_equal(a['id'], b['id'])
+    a, b = whole.table(0.07), half.table(0.07)
+    assert len(a) == 190 and np.array_equal(a['id'], b['id'])
     for names in ('x y z', 'vx vy vz', 'wx wy wz'):
         x, y = vectors(a, names), vectors(b, names)
         assert np.abs(x - y).max() < 1e-9 * np.abs(x).max(), names
