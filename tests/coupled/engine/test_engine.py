@@ -8,7 +8,7 @@ import pytest
 
 from dewCase import Case, foam_dict, quoted, steps
 
-SIZES = [200e-9, 20e-6, 20e-3]          # diameters [m]
+SIZES = [50e-9, 200e-9, 20e-6, 20e-3, 50e-3]          # diameters [m]
 MATERIAL = {'youngsModulus': 1e8, 'poissonsRatio': 0.3, 'density': 2500.0}
 CONTACTS = {'normal': 'Hertz', 'tangential': 'history', 'default': {'restitution': 0.75, 'friction': 0.4}}
 
