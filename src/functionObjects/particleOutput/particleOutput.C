@@ -97,11 +97,11 @@ void Foam::dew::particleOutput::writeCloud
 
     // The cloud lives where the cells are
     hosts_.correct(s.x);
-    const labelList cells(hosts_.cells());
-    const List<point> x(hosts_.distribute(s.x));
+    const labelUList& cells = hosts_.cells();
+    const List<point> x(hosts_.map().forward(s.x));
     const label n = cells.size();
 
-    const label outside = returnReduce(hosts_.nOutside(), sumOp<label>());
+    const label outside = hosts_.nOutside();
     if (outside)
     {
         Info<< "    outside the mesh, and not in the cloud: " << outside
@@ -143,7 +143,7 @@ void Foam::dew::particleOutput::writeCloud
                 IOobject::NO_WRITE,
                 false
             ),
-            Field<Type>(hosts_.distribute(values))
+            Field<Type>(hosts_.map().forward(values))
         );
         field.writeObject(fmt, ver, cmp, n > 0);
     };

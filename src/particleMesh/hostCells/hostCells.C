@@ -8,240 +8,267 @@
 #include "polyMesh.H"
 #include "PstreamBuffers.H"
 #include "PstreamReduceOps.H"
-#include "UIndirectList.H"
+#include "rankMessages.H"
+
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dew::hostCells::hostCells(const polyMesh& mesh)
 :
     mesh_(mesh),
-    ranks_(Pstream::nProcs()),
-    send_(Pstream::nProcs()),
-    cells_(Pstream::nProcs()),
-    found_(Pstream::nProcs()),
+    planes_(mesh),
     nOutside_(0)
 {}
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::dew::hostCells::wellInside
+void Foam::dew::hostCells::step
 (
-    const point& p,
-    const label celli
-) const
+    walker w,
+    List<DynamicList<walker>>& travelling,
+    DynamicList<walker>& unresolved
+)
 {
-    // Near a face the guess must not decide: the answer would depend on where
-    // the particle came from
-    const scalar margin = 1e-3;
+    const label face = planes_.walk(w.p, w.cell);
 
-    for (const label facei : mesh_.cells()[celli])
+    if (face == cellPlanes::inside)
     {
-        const vector& Sf = mesh_.faceAreas()[facei];
-        const scalar outward = mesh_.faceOwner()[facei] == celli ? 1 : -1;
-        const scalar area = mag(Sf);
-
-        if
-        (
-            outward*((p - mesh_.faceCentres()[facei]) & Sf)
-          > -margin*area*sqrt(area)
-        )
+        if (planes_.ambiguous(w.p, w.cell))
         {
-            return false;
+            unresolved.append(w);
+        }
+        else
+        {
+            keys_.append(w.key);
+            cells_.append(w.cell);
+        }
+        return;
+    }
+
+    if (face >= 0)
+    {
+        // Positions are absolute: a cyclic does not lead to another place
+        const cellPlanes::crossing& to = planes_.beyond(face);
+        if (to.rank >= 0 && to.shift == vector::zero && w.hops < 64)
+        {
+            w.cell = to.cell;
+            w.hops++;
+            travelling[to.rank].append(w);
+            return;
         }
     }
 
-    return true;
+    unresolved.append(w);
 }
 
 
-Foam::label Foam::dew::hostCells::cellOf
-(
-    const point& p,
-    const label guess
-) const
+void Foam::dew::hostCells::search(const UList<walker>& unresolved)
 {
-    if (guess >= 0 && guess < mesh_.nCells())
+    const label me = Pstream::myProcNo();
+
+    List<boundBox> ranks(Pstream::nProcs());
+    ranks[me] = boundBox(mesh_.points(), false);
+    Pstream::gatherList(ranks);
+    Pstream::scatterList(ranks);
+
+    (void)mesh_.tetBasePtIs();      // built by all ranks together
+
+    List<DynamicList<walker>> questions(Pstream::nProcs());
+    List<DynamicList<label>> asked(Pstream::nProcs());
+    forAll(ranks, rank)
     {
-        if (wellInside(p, guess))
+        boundBox wide(ranks[rank]);
+        if (!wide.valid())
         {
-            return guess;
+            continue;
         }
-        for (const label celli : mesh_.cellCells()[guess])
+        wide.min() -= 1e-9*wide.mag()*vector::one;
+        wide.max() += 1e-9*wide.mag()*vector::one;
+
+        forAll(unresolved, i)
         {
-            if (wellInside(p, celli))
+            if (wide.contains(unresolved[i].p))
             {
-                return celli;
+                questions[rank].append(unresolved[i]);
+                asked[rank].append(i);
             }
         }
     }
 
-    return mesh_.findCell(p);
+    List<List<walker>> received;
+    exchangeLists(questions, received);
+
+    List<DynamicList<label>> answers(Pstream::nProcs());
+    forAll(received, rank)
+    {
+        for (const walker& w : received[rank])
+        {
+            answers[rank].append(mesh_.findCell(w.p));
+        }
+    }
+    List<labelList> replies;
+    exchangeLists(answers, replies);
+
+    // The lowest rank that knows the cell is the host
+    List<DynamicList<walker>> chosen(Pstream::nProcs());
+    labelList found(unresolved.size(), Zero);
+    forAll(replies, rank)
+    {
+        forAll(replies[rank], a)
+        {
+            const label i = asked[rank][a];
+            if (!found[i] && replies[rank][a] >= 0)
+            {
+                found[i] = 1;
+                walker w(unresolved[i]);
+                w.cell = replies[rank][a];
+                chosen[rank].append(w);
+            }
+        }
+    }
+    for (const label one : found)
+    {
+        nOutside_ += !one;
+    }
+
+    exchangeLists(chosen, received);
+    for (const List<walker>& part : received)
+    {
+        for (const walker& w : part)
+        {
+            keys_.append(w.key);
+            cells_.append(w.cell);
+        }
+    }
 }
 
+
+void Foam::dew::hostCells::sortByKey()
+{
+    if (std::is_sorted(keys_.begin(), keys_.end()))
+    {
+        return;
+    }
+
+    labelList order(keys_.size());
+    forAll(order, i)
+    {
+        order[i] = i;
+    }
+    std::sort
+    (
+        order.begin(),
+        order.end(),
+        [this](const label a, const label b) { return keys_[a] < keys_[b]; }
+    );
+
+    const List<particleKey> keys(keys_);
+    const labelList cells(cells_);
+    forAll(order, i)
+    {
+        keys_[i] = keys[order[i]];
+        cells_[i] = cells[order[i]];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::dew::hostCells::correct(const UList<point>& x)
 {
     const label me = Pstream::myProcNo();
 
-    (void)mesh_.tetBasePtIs();      // built by all ranks together
-
-    ranks_[me] = boundBox(mesh_.points(), false);
-    Pstream::gatherList(ranks_);
-    Pstream::scatterList(ranks_);
-
-    // 1. Ask every rank whose box holds the position
-    labelListList asked(Pstream::nProcs());
+    if (mesh_.changing())
     {
-        List<DynamicList<label>> candidates(Pstream::nProcs());
-        forAll(ranks_, rank)
-        {
-            const boundBox& bb = ranks_[rank];
-            const scalar margin = 1e-9*bb.mag();
-            const boundBox wide
-            (
-                bb.min() - margin*vector::one,
-                bb.max() + margin*vector::one
-            );
-            forAll(x, i)
-            {
-                if (bb.valid() && wide.contains(x[i]))
-                {
-                    candidates[rank].append(i);
-                }
-            }
-            asked[rank].transfer(candidates[rank]);
-        }
+        planes_.correct();
+    }
+    if (mesh_.topoChanging())
+    {
+        guess_.clear();
     }
 
-    PstreamBuffers questions(Pstream::commsTypes::nonBlocking);
-    forAll(asked, rank)
+    // New positions begin where the one before them was
+    const label nOld = guess_.size();
+    guess_.setSize(x.size());
+    for (label i = nOld; i < x.size(); i++)
     {
-        if (rank != me && asked[rank].size())
-        {
-            UOPstream to(rank, questions);
-            to << List<point>(UIndirectList<point>(x, asked[rank]));
-        }
-    }
-    labelList sizes;
-    questions.finishedSends(sizes);
-
-    // 2. The owner of the cell answers
-    labelListList answers(Pstream::nProcs());
-    labelListList theirs(Pstream::nProcs());
-    PstreamBuffers replies(Pstream::commsTypes::nonBlocking);
-
-    forAll(asked, rank)
-    {
-        List<point> points;
-        if (rank == me)
-        {
-            points = UIndirectList<point>(x, asked[me]);
-        }
-        else if (sizes[rank])
-        {
-            UIPstream from(rank, questions);
-            from >> points;
-        }
-
-        // First guess: the cell of the same place in the last list, else of
-        // the position before
-        labelList& found = found_[rank];
-        const label nOld = found.size();
-        found.setSize(points.size());
-        forAll(points, i)
-        {
-            const label guess = i < nOld ? found[i] : i ? found[i - 1] : -1;
-            found[i] = cellOf(points[i], guess);
-        }
-        theirs[rank] = found;
-
-        if (rank == me)
-        {
-            answers[me] = theirs[me];
-        }
-        else if (points.size())
-        {
-            UOPstream to(rank, replies);
-            to << theirs[rank];
-        }
-    }
-    replies.finishedSends();
-
-    // 3. The lowest rank that knows the cell is the host
-    host_.setSize(x.size());
-    host_ = -1;
-    forAll(asked, rank)
-    {
-        if (rank != me && asked[rank].size())
-        {
-            UIPstream from(rank, replies);
-            from >> answers[rank];
-        }
-        forAll(asked[rank], a)
-        {
-            const label i = asked[rank][a];
-            if (host_[i] < 0 && answers[rank][a] >= 0)
-            {
-                host_[i] = rank;
-            }
-        }
+        guess_[i] = i ? guess_[i-1] : host{me, 0};
     }
 
-    // 4. Tell the hosts which of those they were asked for are theirs
-    PstreamBuffers chosen(Pstream::commsTypes::nonBlocking);
-    labelListList mine(Pstream::nProcs());
-
-    forAll(asked, rank)
-    {
-        DynamicList<label> send, cells;
-        forAll(asked[rank], a)
-        {
-            const label i = asked[rank][a];
-            if (host_[i] == rank)
-            {
-                send.append(i);
-                cells.append(answers[rank][a]);
-            }
-        }
-        send_[rank].transfer(send);
-
-        if (rank == me)
-        {
-            mine[me].transfer(cells);
-        }
-        else if (cells.size())
-        {
-            UOPstream to(rank, chosen);
-            to << labelList(cells);
-        }
-    }
-    chosen.finishedSends(sizes);
-
-    forAll(mine, rank)
-    {
-        if (rank != me && sizes[rank])
-        {
-            UIPstream from(rank, chosen);
-            from >> mine[rank];
-        }
-        cells_[rank].transfer(mine[rank]);
-    }
-
+    keys_.clear();
+    cells_.clear();
     nOutside_ = 0;
-    for (const label rank : host_)
+
+    List<DynamicList<walker>> travelling(Pstream::nProcs());
+    DynamicList<walker> unresolved;
+
+    label last = 0;
+    forAll(x, i)
     {
-        nOutside_ += (rank < 0);
+        const host& from = guess_[i];
+        walker w{{me, i}, x[i], from.cell, 0};
+
+        if (from.rank != me)
+        {
+            travelling[from.rank].append(w);
+        }
+        else if (mesh_.nCells() == 0)
+        {
+            unresolved.append(w);
+        }
+        else
+        {
+            if (i >= nOld)
+            {
+                w.cell = last;
+            }
+            step(w, travelling, unresolved);
+            last = cells_.size() ? cells_.last() : 0;
+        }
     }
+
+    while (Pstream::parRun() && anyList(travelling))
+    {
+        List<List<walker>> arrived;
+        exchangeLists(travelling, arrived);
+        for (DynamicList<walker>& part : travelling)
+        {
+            part.clear();
+        }
+        for (const List<walker>& part : arrived)
+        {
+            for (const walker& w : part)
+            {
+                step(w, travelling, unresolved);
+            }
+        }
+    }
+
+    if (returnReduce(unresolved.size() > 0, orOp<bool>()))
+    {
+        search(unresolved);
+        reduce(nOutside_, sumOp<label>());
+    }
+
+    sortByKey();
+    map_.correct(keys_);
+
+    // The owners' next guesses
+    List<host> found(cells_.size());
+    forAll(found, k)
+    {
+        found[k] = host{me, cells_[k]};
+    }
+    map_.reverse(found, [](host& to, const host& from){ to = from; }, guess_);
 }
 
 
-Foam::labelList Foam::dew::hostCells::cells() const
+std::size_t Foam::dew::hostCells::bytes() const
 {
-    DynamicList<label> all;
-    for (const labelList& part : cells_)
-    {
-        all.append(part);
-    }
-    return labelList(std::move(all));
+    return
+        planes_.bytes() + map_.bytes() + guess_.byteSize()
+      + keys_.capacity()*sizeof(particleKey)
+      + cells_.capacity()*sizeof(label);
 }

@@ -1,0 +1,96 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "exchangeLedger.H"
+#include "OSspecific.H"
+#include "Pstream.H"
+#include "Time.H"
+
+#include <sstream>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::exchangeLedger::exchangeLedger(const Time& time)
+:
+    time_(time)
+{
+    if (Pstream::master())
+    {
+        const fileName folder
+        (
+            time.globalPath()/"postProcessing"/"exchange"/time.timeName()
+        );
+        mkDir(folder);
+        file_.reset(new OFstream(folder/"ledger.dat"));
+        file_().precision(17);
+        file_()
+            << "# time held represented clipped outside"
+            << " received.x received.y received.z lost.x lost.y lost.z scale"
+            << " heatReceived heatLost heatScale" << endl;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::exchangeLedger::print() const
+{
+    const auto digits = [](const scalar value)
+    {
+        std::ostringstream os;
+        os.precision(4);
+        os << value;
+        return string(os.str());
+    };
+    const auto relative = [&](const scalar difference, const scalar whole)
+    {
+        return digits(whole > 0 ? difference/whole : 0);
+    };
+
+    Info<< "Exchange: volume " << digits(held).c_str()
+        << " m3, momentum to particles (" << digits(received.x()).c_str()
+        << ' ' << digits(received.y()).c_str() << ' '
+        << digits(received.z()).c_str() << ") N s, unbalanced "
+        << relative(mag(received - lost), scale).c_str();
+
+    if (thermal)
+    {
+        Info<< ", heat " << digits(heatReceived).c_str()
+            << " J, unbalanced "
+            << relative(mag(heatReceived - heatLost), heatScale).c_str();
+    }
+    Info<< endl;
+
+    if (clipped > 0)
+    {
+        Info<< "    clipped by alphacMin: " << digits(clipped).c_str()
+            << " m3 of particles (" << relative(clipped, held).c_str()
+            << " of all); most in cell " << clippedCell << " at "
+            << clippedAt << ", alphac " << digits(clippedAlphac).c_str()
+            << endl;
+    }
+    if (outside)
+    {
+        Info<< "    outside the mesh, without fluid: " << outside
+            << " particles" << endl;
+    }
+}
+
+
+void Foam::dew::exchangeLedger::write()
+{
+    if (file_)
+    {
+        OFstream& os = file_();
+        os  << time_.value() << ' ' << held << ' ' << represented << ' '
+            << clipped << ' ' << outside << ' '
+            << received.x() << ' ' << received.y() << ' ' << received.z()
+            << ' ' << lost.x() << ' ' << lost.y() << ' ' << lost.z() << ' '
+            << scale << ' ' << heatReceived << ' ' << heatLost << ' '
+            << heatScale << nl;
+        os.flush();
+    }
+}

@@ -1,0 +1,697 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "particleExchange.H"
+#include "fixedValueFvPatchFields.H"
+#include "leastSquaresGrad.H"
+#include "particleRecord.H"
+#include "Time.H"
+#include "userEntry.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+    defineTypeNameAndDebug(particleExchange, 0);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Gradient that is exact for linear fields on any mesh, at any scale
+template<class Type>
+auto linearGradient
+(
+    const Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>& field
+)
+{
+    Foam::IStringStream none("");
+    return
+        Foam::fv::leastSquaresGrad<Type>(field.mesh(), none).calcGrad
+        (
+            field, "grad(" + field.name() + ')'
+        );
+}
+
+
+template<class Type>
+void findNotFinite
+(
+    const Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>& field
+)
+{
+    const Foam::Field<Type>& values = field.primitiveField();
+
+    forAll(values, celli)
+    {
+        if (!(Foam::mag(values[celli]) < Foam::VGREAT))
+        {
+            FatalErrorInFunction
+                << "Field " << field.name() << " is not finite in cell "
+                << celli << " at " << field.mesh().C()[celli] << ", time "
+                << field.time().timeName() << ": " << values[celli] << Foam::nl
+                << "Look for a time step that is too large, or for boundary"
+                << " conditions that contradict each other"
+                << Foam::exit(Foam::FatalError);
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::particleExchange::particleExchange
+(
+    const fvMesh& mesh,
+    const dictionary& particleProperties,
+    const carrierFields& fluid,
+    const particleState& state,
+    const vector& g
+)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            "particleExchange",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    dict_(userEntry::subDict(particleProperties, "coupling")),
+    fluid_(fluid),
+    state_(state),
+    g_(g),
+    alphacMin_
+    (
+        dict_.found("alphacMin")
+      ? userEntry::within(dict_, "alphacMin", 1e-6, 1)
+      : 0.2
+    ),
+    linear_
+    (
+        Enum<bool>({{true, "linear"}, {false, "cell"}}).getOrDefault
+        (
+            "interpolation", dict_, true
+        )
+    ),
+    voidFraction_
+    (
+        voidFractionModel::New(userEntry::subDict(dict_, "voidFraction"))
+    ),
+    laws_(dict_),
+    map_(mesh, voidFraction_->stencil()),
+    alphac_(voidFractionField(mesh)),
+    momentum_(dict_, map_, fluid.U),
+    kicked_(false),
+    ledger_(mesh.time()),
+    relaxation_(0),
+    mapTime_(0),
+    exchangeTime_(0)
+{
+    userEntry::onlyThese
+    (
+        dict_,
+        {
+            "model", "voidFraction", "alphacMin", "interpolation", "momentum",
+            "heat", "forces", "heatTransfer"
+        }
+    );
+
+    if (particleProperties.found("frameAcceleration"))
+    {
+        frameAcceleration_ =
+            Function1<vector>::New("frameAcceleration", particleProperties);
+    }
+
+    if (dict_.found("heatTransfer"))
+    {
+        if (!state_.thermal)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Entry 'heatTransfer' needs particles with a temperature"
+                << nl << "Add 'heat on;' to " << particleProperties.name()
+                << ", or remove the entry" << exit(FatalIOError);
+        }
+        if (!fluid_.T)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Entry 'heatTransfer' needs a fluid with a temperature"
+                << nl << "Add a field T to the start time, and Cp and kappa to"
+                << " constant/transportProperties, or remove the entry"
+                << exit(FatalIOError);
+        }
+        heatTransfer_ =
+            heatTransferModel::New(userEntry::subDict(dict_, "heatTransfer"));
+        heat_.reset(new heatExchange(dict_, map_, *fluid_.T));
+    }
+    ledger_.thermal = bool(heat_);
+
+    findMap();
+    checkSize();
+    occupy();
+    alphac_.oldTime();
+    readKicks();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::volScalarField>
+Foam::dew::particleExchange::voidFractionField(const fvMesh& mesh)
+{
+    IOobject io
+    (
+        "alphac",
+        mesh.time().timeName(),
+        mesh,
+        IOobject::READ_IF_PRESENT,
+        IOobject::AUTO_WRITE
+    );
+
+    if (io.typeHeaderOk<volScalarField>(true))
+    {
+        return tmp<volScalarField>::New(io, mesh);
+    }
+
+    // There are no particles beyond an inlet
+    dictionary boundary;
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        dictionary one;
+        if (polyPatch::constraintType(patch.type()))
+        {
+            one.add("type", patch.type());
+        }
+        else if (isA<wallPolyPatch>(patch.patch()))
+        {
+            one.add("type", "zeroGradient");
+        }
+        else
+        {
+            one.add("type", "inletOutlet");
+            one.add("inletValue", "uniform 1");
+        }
+        boundary.add(patch.name(), one);
+    }
+
+    return tmp<volScalarField>::New
+    (
+        io,
+        mesh,
+        dimensionedScalar(dimless, 1),
+        patchTypes(mesh)
+    );
+}
+
+
+void Foam::dew::particleExchange::findMap()
+{
+    const clockTime clock;
+    map_.correct(state_.x, state_.d);
+    ledger_.outside = map_.nOutside();
+    mapTime_ += clock.elapsedTime();
+}
+
+
+Foam::scalar Foam::dew::particleExchange::largestOccupation
+(
+    label& celli
+) const
+{
+    List<scalar> volume(state_.size());
+    forAll(volume, i)
+    {
+        volume[i] = state_.volume(i);
+    }
+    return map_.largestShare(volume, mesh_.V(), celli);
+}
+
+
+void Foam::dew::particleExchange::checkSize() const
+{
+    if (!voidFraction_->displaces())
+    {
+        return;
+    }
+
+    label cell = -1;
+    const scalar share = largestOccupation(cell);
+
+    if (share > 1 - alphacMin_)
+    {
+        // On this rank only: no collective call on the way out
+        FatalIOErrorInFunction(dict_)
+            << "Particles do not fit the void fraction model '"
+            << voidFraction_->type() << "': one of them fills " << share
+            << " of cell " << cell << " at " << mesh_.C()[cell]
+            << ", alphacMin " << alphacMin_ << " leaves room for "
+            << 1 - alphacMin_ << nl
+            << "Use a coarser mesh, or another voidFraction model (valid: "
+            << "divided from about one particle diameter a cell, none for"
+            << " particles that displace nothing)"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::dew::particleExchange::occupy()
+{
+    scalarField solid(mesh_.nCells(), Zero);
+    scalar held = 0;
+
+    {
+        List<scalar> volume(state_.size());
+        forAll(volume, i)
+        {
+            volume[i] = state_.volume(i);
+            held += volume[i];
+        }
+        if (voidFraction_->displaces())
+        {
+            map_.scatter(volume, solid);
+        }
+    }
+
+    scalarField& alphac = alphac_.primitiveFieldRef();
+    const scalarField& V = mesh_.V();
+    scalar represented = 0, clipped = 0, most = 0;
+
+    ledger_.clippedCell = -1;
+    forAll(alphac, celli)
+    {
+        alphac[celli] = 1 - solid[celli]/V[celli];
+
+        if (alphac[celli] < alphacMin_)
+        {
+            const scalar refused = (alphacMin_ - alphac[celli])*V[celli];
+            clipped += refused;
+            if (refused > most)
+            {
+                most = refused;
+                ledger_.clippedCell = celli;
+                ledger_.clippedAt = mesh_.C()[celli];
+                ledger_.clippedAlphac = alphac[celli];
+            }
+            alphac[celli] = alphacMin_;
+        }
+        represented += (1 - alphac[celli])*V[celli];
+    }
+    alphac_.correctBoundaryConditions();
+
+    ledger_.held = returnReduce(held, sumOp<scalar>());
+    ledger_.represented = returnReduce(represented, sumOp<scalar>());
+    ledger_.clipped = returnReduce(clipped, sumOp<scalar>());
+    ledger_.mostClipped(most);
+}
+
+
+void Foam::dew::particleExchange::checkFinite() const
+{
+    findNotFinite(fluid_.U);
+    findNotFinite(fluid_.p);
+    if (fluid_.T)
+    {
+        findNotFinite(*fluid_.T);
+    }
+}
+
+
+void Foam::dew::particleExchange::gatherCarriers()
+{
+    const volVectorField& U = fluid_.U;
+    const vectorField& gradp = fluid_.gradp;
+    const vectorField& C = mesh_.C();
+    const bool shared = laws_.model() == particleForceList::models::A;
+    const bool thermal = bool(heatTransfer_);
+
+    vector g(g_);
+    if (frameAcceleration_)
+    {
+        g -= frameAcceleration_->value(mesh_.time().value());
+    }
+
+    tmp<volTensorField> gradU;
+    tmp<volVectorField> gradT;
+    if (linear_)
+    {
+        gradU = linearGradient(U);
+        if (thermal)
+        {
+            gradT = linearGradient(*fluid_.T);
+        }
+    }
+
+    const auto shares = [&](const auto& cells, carrier& c)
+    {
+        c.alphac = 0;
+        c.gradp = Zero;
+        cells
+        (
+            [&](const label celli, const scalar w)
+            {
+                c.alphac += w*alphac_[celli];
+                if (shared)
+                {
+                    c.gradp += w*gradp[celli];
+                }
+            }
+        );
+    };
+
+    carriers_.setSize(state_.size());
+    UList<carrier>& carriers = carriers_;
+    carriers = carrier();
+
+    map_.gather
+    (
+        carriers,
+        [&](const label celli, const point& x, const auto& cells, carrier& c)
+        {
+            c.U = U[celli];
+            c.rho = fluid_.rho[celli];
+            c.mu = fluid_.mu[celli];
+            c.g = g;
+            if (thermal)
+            {
+                c.T = (*fluid_.T)[celli];
+                c.kappa = (*fluid_.kappa)[celli];
+                c.Cp = (*fluid_.Cp)[celli];
+            }
+            if (linear_)
+            {
+                const vector away(x - C[celli]);
+                c.U += away & gradU()[celli];
+                if (thermal)
+                {
+                    c.T += away & gradT()[celli];
+                }
+            }
+            shares(cells, c);
+        },
+        shares,
+        [](carrier& c, const carrier& other)
+        {
+            c.alphac += other.alphac;
+            c.gradp += other.gradp;
+        }
+    );
+}
+
+
+void Foam::dew::particleExchange::evaluateLaws()
+{
+    const label n = state_.size();
+    const scalar dt = mesh_.time().deltaTValue();
+
+    forces_.Su.setSize(n);
+    forces_.Sn.setSize(n);
+    forces_.Sp.setSize(n);
+    forces_.U.setSize(n);
+    if (heatTransfer_)
+    {
+        forces_.Qp.setSize(n);
+        forces_.Tf.setSize(n);
+    }
+    relaxation_ = 0;
+
+    for (label i = 0; i < n; i++)
+    {
+        const carrier& c = carriers_[i];
+        const particle p
+        {
+            state_.v[i],
+            state_.d[i],
+            state_.rho[i],
+            state_.thermal ? state_.T[i] : 0,
+            state_.type[i]
+        };
+
+        // Outside the mesh there is no fluid
+        particleForceList::sum f;
+        scalar Qp = 0;
+        if (c.rho > 0)
+        {
+            f = laws_.total(p, c);
+            if (heatTransfer_)
+            {
+                Qp = heatTransfer_->Qp(p, c);
+            }
+        }
+
+        forces_.Su[i] = f.Su;
+        forces_.Sn[i] = f.Sn;
+        forces_.Sp[i] = f.Sp;
+        forces_.U[i] = c.U;
+        if (heatTransfer_)
+        {
+            forces_.Qp[i] = Qp;
+            forces_.Tf[i] = c.T;
+        }
+        relaxation_ = max(relaxation_, f.Sp*dt/state_.mass(i));
+    }
+}
+
+
+void Foam::dew::particleExchange::updateKicks() const
+{
+    if (!kicked_)
+    {
+        momentum_.kicks(kick_);
+        if (heat_)
+        {
+            heat_->kicks(heatKick_);
+        }
+        kicked_ = true;
+    }
+}
+
+
+Foam::fileName Foam::dew::particleExchange::kickFile() const
+{
+    return fileName("uniform")/"particles"/"exchange";
+}
+
+
+void Foam::dew::particleExchange::readKicks()
+{
+    // Sources of a step that is over: nothing is pending but what was written
+    const label n = state_.size();
+    kick_.setSize(n);
+    UList<vector>& kick = kick_;
+    kick = Zero;
+    if (heat_)
+    {
+        heatKick_.setSize(n);
+        UList<scalar>& heatKick = heatKick_;
+        heatKick = 0;
+    }
+    kicked_ = true;
+
+    const label nValues = heat_ ? 4 : 3;
+    List<scalar> values(nValues*n, scalar(0));
+
+    if (!particleRecord::read(mesh_.time(), kickFile(), state_.id, nValues, values))
+    {
+        return;
+    }
+    for (label i = 0; i < n; i++)
+    {
+        const scalar* v = values.cdata() + nValues*i;
+        kick_[i] = vector(v[0], v[1], v[2]);
+        if (heat_)
+        {
+            heatKick_[i] = v[3];
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const Foam::dew::bulkForces& Foam::dew::particleExchange::forces()
+{
+    const clockTime clock;
+
+    checkFinite();
+    gatherCarriers();
+    evaluateLaws();
+
+    updateKicks();
+    forces_.kick = kick_;
+    if (heat_)
+    {
+        forces_.heatKick = heatKick_;
+    }
+
+    exchangeTime_ += clock.elapsedTime();
+
+    return forces_;
+}
+
+
+void Foam::dew::particleExchange::correct()
+{
+    findMap();
+
+    const clockTime clock;
+
+    occupy();
+    momentum_.correct
+    (
+        map_, state_.impulse, state_.impulseSp, alphac_, fluid_.rho
+    );
+    if (heat_)
+    {
+        heat_->correct(state_.heat, state_.heatSp);
+    }
+    kicked_ = false;
+
+    exchangeTime_ += clock.elapsedTime();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField>
+Foam::dew::particleExchange::pressureShare
+(
+    const surfaceScalarField& alphacf
+) const
+{
+    if (laws_.model() == particleForceList::models::A)
+    {
+        return alphacf;
+    }
+
+    return tmp<surfaceScalarField>::New
+    (
+        IOobject("pressureShare", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, 1)
+    );
+}
+
+
+Foam::scalar Foam::dew::particleExchange::largestRelaxation() const
+{
+    return returnReduce(relaxation_, maxOp<scalar>());
+}
+
+
+void Foam::dew::particleExchange::report()
+{
+    const clockTime clock;
+
+    updateKicks();
+
+    ledger_.received = Zero;
+    ledger_.scale = 0;
+    ledger_.heatReceived = 0;
+    ledger_.heatScale = 0;
+
+    const bool twoWay = momentum_.scheme() != momentumExchange::schemes::none;
+
+    for (label i = 0; twoWay && i < state_.size(); i++)
+    {
+        const vector J(state_.impulse[i] + kick_[i]);
+        ledger_.received += J;
+        ledger_.scale += mag(state_.impulse[i]) + mag(kick_[i]);
+    }
+    for (label i = 0; heat_ && heat_->twoWay() && i < state_.size(); i++)
+    {
+        ledger_.heatReceived += state_.heat[i] + heatKick_[i];
+        ledger_.heatScale += mag(state_.heat[i]) + mag(heatKick_[i]);
+    }
+
+    reduce(ledger_.received, sumOp<vector>());
+    reduce(ledger_.scale, sumOp<scalar>());
+    ledger_.lost = momentum_.source().lost();
+    if (heat_)
+    {
+        reduce(ledger_.heatReceived, sumOp<scalar>());
+        reduce(ledger_.heatScale, sumOp<scalar>());
+        ledger_.heatLost = heat_->source().lost();
+    }
+
+    ledger_.print();
+    ledger_.write();
+
+    exchangeTime_ += clock.elapsedTime();
+}
+
+
+bool Foam::dew::particleExchange::writeObject
+(
+    IOstream::streamFormat fmt,
+    IOstream::versionNumber ver,
+    IOstream::compressionType cmp,
+    const bool valid
+) const
+{
+    updateKicks();
+
+    const label n = state_.size();
+    const label nValues = heat_ ? 4 : 3;
+    List<scalar> values(nValues*n);
+    for (label i = 0; i < n; i++)
+    {
+        scalar* v = values.data() + nValues*i;
+        for (direction k = 0; k < 3; k++)
+        {
+            v[k] = kick_[i][k];
+        }
+        if (heat_)
+        {
+            v[3] = heatKick_[i];
+        }
+    }
+    particleRecord::write
+    (
+        mesh_.time().path()/mesh_.time().timeName()/kickFile(),
+        state_.id, values, nValues
+    );
+
+    // Averages of the particles in each cell, by volume
+    scalarField solid(mesh_.nCells(), Zero);
+    volVectorField Up
+    (
+        IOobject("U.particles", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false),
+        mesh_,
+        dimensionedVector(dimVelocity, Zero),
+        "zeroGradient"
+    );
+    List<scalar> volume(n);
+    List<vector> flow(n);
+    for (label i = 0; i < n; i++)
+    {
+        volume[i] = state_.volume(i);
+        flow[i] = volume[i]*state_.v[i];
+    }
+    map_.scatter(volume, solid);
+    map_.scatter(flow, Up.primitiveFieldRef());
+    forAll(solid, celli)
+    {
+        if (solid[celli] > 0)
+        {
+            Up[celli] /= solid[celli];
+        }
+    }
+    Up.correctBoundaryConditions();
+
+    return Up.writeObject(fmt, ver, cmp, valid);
+}

@@ -1,0 +1,35 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "noVoidFraction.H"
+#include "addToRunTimeSelectionTable.H"
+#include "userEntry.H"
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+    defineTypeNameAndDebug(noVoidFraction, 0);
+    addToRunTimeSelectionTable(voidFractionModel, noVoidFraction, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::noVoidFraction::noVoidFraction(const dictionary& dict)
+{
+    userEntry::onlyThese(dict, {"type"});
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::dew::supportStencil Foam::dew::noVoidFraction::stencil() const
+{
+    return supportStencil();
+}

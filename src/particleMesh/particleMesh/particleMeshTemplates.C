@@ -1,0 +1,134 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class Type, class AddOp>
+void Foam::dew::particleMesh::scatter
+(
+    const UList<Type>& values,
+    const AddOp& add
+) const
+{
+    const label nHosted = hosts_.cells().size();
+    const List<Type> hosted(hosts_.map().forward(values));
+
+    for (label k = 0; k < nHosted; k++)
+    {
+        for (label e = start_[k]; e < start_[k+1]; e++)
+        {
+            add(cell_[e], weight_[e], hosted[k]);
+        }
+    }
+
+    if (guests_.active())
+    {
+        const List<Type> other(guests_.forward(values));
+        forAll(other, g)
+        {
+            const label k = nHosted + g;
+            for (label e = start_[k]; e < start_[k+1]; e++)
+            {
+                add(cell_[e], weight_[e], other[g]);
+            }
+        }
+    }
+}
+
+
+template<class Type>
+void Foam::dew::particleMesh::scatter
+(
+    const UList<Type>& values,
+    UList<Type>& sums
+) const
+{
+    scatter
+    (
+        values,
+        [&sums](const label celli, const scalar w, const Type& value)
+        {
+            sums[celli] += w*value;
+        }
+    );
+}
+
+
+template<class Type>
+void Foam::dew::particleMesh::average
+(
+    const UList<Type>& field,
+    UList<Type>& values
+) const
+{
+    const auto mean = [&field](Type& value, const auto& cells)
+    {
+        value = Zero;
+        cells
+        (
+            [&](const label celli, const scalar w)
+            {
+                value += w*field[celli];
+            }
+        );
+    };
+
+    gather
+    (
+        values,
+        [&](const label, const point&, const auto& cells, Type& value)
+        {
+            mean(value, cells);
+        },
+        [&](const auto& cells, Type& value) { mean(value, cells); },
+        [](Type& value, const Type& other) { value += other; }
+    );
+}
+
+
+template<class Type, class HostOp, class GuestOp, class MergeOp>
+void Foam::dew::particleMesh::gather
+(
+    UList<Type>& values,
+    const HostOp& hosted,
+    const GuestOp& guest,
+    const MergeOp& merge
+) const
+{
+    const labelUList& hostCell = hosts_.cells();
+    const label nHosted = hostCell.size();
+
+    const auto cellsOf = [this](const label k)
+    {
+        return [this, k](const auto& op)
+        {
+            for (label e = start_[k]; e < start_[k+1]; e++)
+            {
+                op(cell_[e], weight_[e]);
+            }
+        };
+    };
+
+    List<Type> held(nHosted);
+    for (label k = 0; k < nHosted; k++)
+    {
+        hosted(hostCell[k], x_[k], cellsOf(k), held[k]);
+    }
+    hosts_.map().reverse
+    (
+        held, [](Type& to, const Type& from) { to = from; }, values
+    );
+
+    if (guests_.active())
+    {
+        held.setSize(guests_.nPlaces());
+        forAll(held, g)
+        {
+            guest(cellsOf(nHosted + g), held[g]);
+        }
+        guests_.reverse(held, merge, values);
+    }
+}
