@@ -1,0 +1,51 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "SchillerNaumannDrag.H"
+#include "addToRunTimeSelectionTable.H"
+#include "userEntry.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+namespace dragModels
+{
+    defineTypeName(SchillerNaumannDrag);
+    addToRunTimeSelectionTable(particleForce, SchillerNaumannDrag, dictionary);
+}
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::dragModels::SchillerNaumannDrag::SchillerNaumannDrag(const dictionary& dict)
+{
+    userEntry::onlyThese(dict, {"type"});
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::dew::dragModels::SchillerNaumannDrag::CdRe(const scalar Re)
+{
+    return Re > 1000 ? 0.44*Re : 24*(1 + 0.15*pow(Re, 0.687));
+}
+
+
+Foam::scalar Foam::dew::dragModels::SchillerNaumannDrag::Sp
+(
+    const particle& p,
+    const carrier& c
+) const
+{
+    const scalar Re = c.rho*mag(c.U - p.U)*p.d/c.mu;
+
+    return stokes(p, c)*CdRe(Re)/24;
+}
