@@ -72,6 +72,15 @@ class liggghtsEmbedded
 
     bool outsideBox() const;
 
+    //- Momentum and heat given at once
+    void give(const double* kick, const double* heatKick);
+
+    //- Integral of gravity over the time since push(), engine units
+    void gravityImpulse(double* perMass) const;
+
+    //- Sensitivities of what was received, SI
+    void sensitivities(double* impulseSp, double* heatSp) const;
+
 public:
 
     explicit liggghtsEmbedded(const liggghtsOptions&);

@@ -163,6 +163,9 @@ Foam::label Foam::dew::liggghtsEngine::advance
     view.Qu = data(b.Qu);
     view.Qp = data(b.Qp);
     view.Tf = data(b.Tf);
+    view.Sn = data(b.Sn);
+    view.kick = data(b.kick);
+    view.heatKick = data(b.heatKick);
 
     library_.call
     (
@@ -206,6 +209,8 @@ void Foam::dew::liggghtsEngine::pull()
             s.impulse = data(state_.impulse);
             s.angularImpulse = data(state_.angularImpulse);
             s.heat = data(state_.heat);
+            s.impulseSp = data(state_.impulseSp);
+            s.heatSp = data(state_.heatSp);
             e.pull(s);
 
             for (label& type : state_.type)
@@ -223,21 +228,25 @@ void Foam::dew::liggghtsEngine::pull()
             }
 
             label n = 0;
-            scalar mass = 0;
+            scalar mass = 0, volume = 0;
             vector impulse(Zero);
             scalar heat = 0;
             for (const departedParticle& p : e.departed())
             {
                 n++;
                 mass += p.mass;
+                volume += p.volume;
                 impulse += vector(p.impulse[0], p.impulse[1], p.impulse[2]);
                 heat += p.heat;
             }
             ledger_.departed = returnReduce(n, sumOp<label>());
             ledger_.departedMass = returnReduce(mass, sumOp<scalar>());
+            ledger_.departedVolume = returnReduce(volume, sumOp<scalar>());
+            ledger_.departedImpulse = returnReduce(impulse, sumOp<vector>());
+            ledger_.departedHeat = returnReduce(heat, sumOp<scalar>());
             ledger_.departedTotal += ledger_.departed;
-            ledger_.impulse += returnReduce(impulse, sumOp<vector>());
-            ledger_.heat += returnReduce(heat, sumOp<scalar>());
+            ledger_.impulse += ledger_.departedImpulse;
+            ledger_.heat += ledger_.departedHeat;
 
             for (const std::string& warning : e.warnings())
             {

@@ -63,6 +63,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
     particleEngine(mesh, dict),
     native_(dict.found("input")),
     deltaT_(0),
+    stableDeltaT_(0),
     library_(dict, options(mesh)),
     g_(Zero),
     needsSetup_(true),
@@ -75,7 +76,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             "FoamFile", "engine", "periodic", "heat", "overlapTolerance",
             "materials", "contacts", "walls", "insertion", "timeStep", "skin",
             "processors", "commands", "input", "library", "frameAcceleration",
-            "output"
+            "coupling", "output"
         }
     );
 
@@ -254,6 +255,8 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
         stable = min(stable, commands.stableTimeStep(i, Rmin));
         wanted = min(wanted, commands.timeStep(i, Rmin, fraction));
     }
+
+    stableDeltaT_ = stable;
 
     const scalar step = mesh_.time().deltaTValue();
 
