@@ -15,14 +15,16 @@ void Foam::dew::bulkForces::check(const label n) const
     {
         Su.size(), Sp.size(), U.size(),
         Tu.size(), Tp.size(), Omega.size(),
-        Qu.size(), Qp.size(), Tf.size()
+        Qu.size(), Qp.size(), Tf.size(),
+        Sn.size(), kick.size(), heatKick.size()
     };
     static const char* names[] =
     {
-        "Su", "Sp", "U", "Tu", "Tp", "Omega", "Qu", "Qp", "Tf"
+        "Su", "Sp", "U", "Tu", "Tp", "Omega", "Qu", "Qp", "Tf",
+        "Sn", "kick", "heatKick"
     };
 
-    for (label k = 0; k < 9; k++)
+    for (label k = 0; k < 12; k++)
     {
         if (sizes[k] != 0 && sizes[k] != n)
         {
@@ -31,7 +33,7 @@ void Foam::dew::bulkForces::check(const label n) const
                 << " entries for " << n << " particles"
                 << exit(FatalError);
         }
-        if (k % 3 == 1 && sizes[k] != sizes[k + 1])
+        if (k < 9 && k % 3 == 1 && sizes[k] != sizes[k + 1])
         {
             FatalErrorInFunction
                 << "Bulk forces: " << names[k] << " without "

@@ -23,6 +23,8 @@ void Foam::dew::particleState::setSize(const label n)
     impulse.setSize(n);
     angularImpulse.setSize(n);
     heat.setSize(thermal ? n : 0);
+    impulseSp.setSize(n);
+    heatSp.setSize(thermal ? n : 0);
 }
 
 

@@ -15,7 +15,9 @@ using namespace LAMMPS_NS;
 
 Foam::dew::fixGravity::fixGravity(LAMMPS* lmp, int narg, char** arg)
 :
-    Fix(lmp, narg, arg)
+    Fix(lmp, narg, arg),
+    g_{0, 0, 0},
+    integral_{0, 0, 0}
 {
     if (narg != 3)
     {
@@ -30,16 +32,43 @@ int Foam::dew::fixGravity::setmask()
 }
 
 
+void Foam::dew::fixGravity::clear()
+{
+    for (int k = 0; k < 3; k++)
+    {
+        integral_[k] = 0;
+    }
+}
+
+
 void Foam::dew::fixGravity::setup(int)
 {
-    post_force(0);
+    // No time goes by
+    apply();
 }
 
 
 void Foam::dew::fixGravity::post_force(int)
 {
-    double g[3];
-    value_(update->ntimestep, g);
+    const double half = 0.5*update->dt;
+
+    for (int k = 0; k < 3; k++)
+    {
+        integral_[k] += half*g_[k];
+    }
+
+    apply();
+
+    for (int k = 0; k < 3; k++)
+    {
+        integral_[k] += half*g_[k];
+    }
+}
+
+
+void Foam::dew::fixGravity::apply()
+{
+    value_(update->ntimestep, g_);
 
     double** f = atom->f;
     const double* rmass = atom->rmass;
@@ -48,7 +77,7 @@ void Foam::dew::fixGravity::post_force(int)
     {
         for (int k = 0; k < 3; k++)
         {
-            f[i][k] += rmass[i]*g[k];
+            f[i][k] += rmass[i]*g_[k];
         }
     }
 }

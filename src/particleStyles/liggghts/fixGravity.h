@@ -16,6 +16,9 @@ Description
     m   particle mass
     g   acceleration, engine units
 
+    Its integral over time since clear() is kept, by the rule of the velocity
+    Verlet step: half of g at either end of a sub-step.
+
 SourceFiles
     fixGravity.cpp
 \*---------------------------------------------------------------------------*/
@@ -38,11 +41,21 @@ class fixGravity
 {
     std::function<void(long step, double* g)> value_;
 
+    //- Last value, and integral over time
+    double g_[3], integral_[3];
+
+    void apply();
+
 public:
 
     fixGravity(LAMMPS_NS::LAMMPS*, int narg, char** arg);
 
     void value(std::function<void(long, double*)> f) { value_ = f; }
+
+    void clear();
+
+    //- Integral of g dt over the sub-steps since clear()
+    const double* integral() const { return integral_; }
 
     int setmask() override;
     void setup(int) override;

@@ -68,6 +68,7 @@ Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
     loaded_(false),
     heated_(false),
     maxRadius_(0),
+    halves_(0),
     temperature_(nullptr),
     heatFlux_(nullptr),
     capacity_(nullptr)
@@ -123,9 +124,34 @@ void Foam::dew::fixIntegrate::expect(const double maxRadius, const bool heated)
 }
 
 
+double Foam::dew::fixIntegrate::elapsed() const
+{
+    return 0.5*halves_*update->dt;
+}
+
+
+double Foam::dew::fixIntegrate::heatCapacity(const int i) const
+{
+    return atom->rmass[i]*capacity_->compute_vector(atom->type[i] - 1);
+}
+
+
+void Foam::dew::fixIntegrate::received(const int i, double* J) const
+{
+    const double* d = data_[i];
+    const double t = elapsed();
+
+    for (int k = 0; k < 3; k++)
+    {
+        J[k] = d[impulse + k] - d[Sn + k]*t;
+    }
+}
+
+
 void Foam::dew::fixIntegrate::load(const bool anyTerm)
 {
     loaded_ = anyTerm;
+    halves_ = 0;
 
     const double dt = update->dt;
 
@@ -140,10 +166,11 @@ void Foam::dew::fixIntegrate::load(const bool anyTerm)
         d[fullStep] = dt*dt/m*phi2(dt/m*d[Sp]);
         d[halfTurn] = 0.5*dt/I*phi1(0.5*dt/I*d[Tp]);
         d[heatStep] = 0;
+        std::memcpy(d + startVelocity, atom->v[i], 3*sizeof(double));
 
         if (heated_)
         {
-            const double mc = m*capacity_->compute_vector(atom->type[i] - 1);
+            const double mc = heatCapacity(i);
             d[heatStep] = dt/mc*phi1(dt/mc*d[Qp]);
         }
     }
@@ -245,6 +272,8 @@ void Foam::dew::fixIntegrate::initial_integrate(int)
     const double* radius = atom->radius;
     const double* rmass = atom->rmass;
 
+    halves_++;
+
     if (!loaded_)
     {
         for (int i = 0; i < n; i++)
@@ -303,6 +332,8 @@ void Foam::dew::fixIntegrate::final_integrate()
     const double* radius = atom->radius;
     const double* rmass = atom->rmass;
 
+    halves_++;
+
     if (!loaded_)
     {
         for (int i = 0; i < n; i++)
@@ -353,8 +384,7 @@ void Foam::dew::fixIntegrate::final_integrate()
         for (int i = 0; i < n; i++)
         {
             double* d = data_[i];
-            const double mc =
-                rmass[i]*capacity_->compute_vector(atom->type[i] - 1);
+            const double mc = heatCapacity(i);
             const double dT =
                 (q[i] + d[Qu] + d[Qp]*(d[Tf] - T[i]))*d[heatStep];
             T[i] += dT;
@@ -388,9 +418,10 @@ void Foam::dew::fixIntegrate::pre_exchange()
             departedParticle p;
             p.id = atom->tag[i];
             p.mass = atom->rmass[i];
+            p.volume = p.mass/atom->density[i];
             std::memcpy(p.x, x, sizeof(p.x));
             std::memcpy(p.v, atom->v[i], sizeof(p.v));
-            std::memcpy(p.impulse, data_[i] + impulse, sizeof(p.impulse));
+            received(i, p.impulse);
             p.heat = data_[i][heat];
             departed_.push_back(p);
         }

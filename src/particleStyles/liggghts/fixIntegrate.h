@@ -17,7 +17,10 @@ Description
     the velocity Verlet step of fix nve/sphere, operation by operation.
 
     What a particle received from these terms, the impulse m dv - F dt (and
-    angular impulse and heat), is accumulated with it and migrates with it.
+    angular impulse and heat), is accumulated with it and migrates with it. So
+    do its velocity at the start, and Sn, the part of the force Su that is not
+    counted as received.
+
     Force and torque of the last sub-step are written to restarts, because
     damping contact forces depend on the half-step velocity and cannot be
     recomputed: a run continued from a restart, or after an insertion, starts
@@ -69,7 +72,8 @@ public:
         keptForce = 24, keptTorque = 27, kept = 30,
         // derived from the above at the start of a call: dt/m phi(...)
         halfStep = 31, fullStep = 32, halfTurn = 33, heatStep = 34,
-        nColumns = 35,
+        Sn = 35, startVelocity = 38,
+        nColumns = 41,
         nKept = 7       // keptForce, keptTorque, kept
     };
 
@@ -82,6 +86,9 @@ private:
     bool loaded_, heated_;
 
     double maxRadius_;
+
+    //- Half sub-steps since load()
+    long halves_;
 
     LAMMPS_NS::FixPropertyAtom *temperature_, *heatFlux_;
     LAMMPS_NS::FixPropertyGlobal* capacity_;
@@ -111,7 +118,17 @@ public:
     //- Are there bulk terms?
     bool loaded() const { return loaded_; }
 
-    //- Bulk terms have been written, or are gone: set the derived columns
+    //- Time since load()
+    double elapsed() const;
+
+    //- Heat capacity m cp of a particle
+    double heatCapacity(int i) const;
+
+    //- Impulse received, without that of Sn
+    void received(int i, double* J) const;
+
+    //- Bulk terms have been written, or are gone: set the derived columns,
+    //  note the velocities at the start
     void load(bool anyTerm);
 
     //- Store force and torque so that the next setup returns to them

@@ -6,19 +6,13 @@
 
 #include "liggghtsEngine.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dimensionedVector.H"
-#include "liggghtsTimeStep.H"
-#include "OSspecific.H"
+#include "fileChecksum.H"
 #include "polyMesh.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
-#include "uniformDimensionedFields.H"
-#include "userEntry.H"
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <zlib.h>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -36,54 +30,6 @@ namespace dew
 
 namespace
 {
-
-const Foam::fileName folder("dem");
-
-
-Foam::dew::liggghtsOptions options(const Foam::polyMesh& mesh)
-{
-    const Foam::fileName path(mesh.time().globalPath()/folder);
-    if (Foam::Pstream::master())
-    {
-        Foam::mkDir(path);
-    }
-
-    Foam::dew::liggghtsOptions result;
-    result.logFile = path/"log.liggghts";
-    result.caller = "dew";
-    return result;
-}
-
-
-double powerOfTwo(const double x)
-{
-    return std::exp2(std::round(std::log2(x)));
-}
-
-
-//- Length and CRC-32 of a file
-std::pair<long, unsigned long> checksum(const std::string& path)
-{
-    std::ifstream is(path, std::ios::binary);
-    std::vector<char> buffer(1 << 20);
-    unsigned long crc = crc32(0, Z_NULL, 0);
-    long length = 0;
-
-    while (is)
-    {
-        is.read(buffer.data(), buffer.size());
-        crc = crc32
-        (
-            crc,
-            reinterpret_cast<const Bytef*>(buffer.data()),
-            uInt(is.gcount())
-        );
-        length += is.gcount();
-    }
-
-    return {length, crc};
-}
-
 
 template<class List>
 const double* data(const List& list)
@@ -108,558 +54,7 @@ static_assert(sizeof(Foam::label) == sizeof(int), "built for 32-bit labels");
 static_assert(sizeof(Foam::vector) == 3*sizeof(double), "built for double");
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::dew::liggghtsEngine::liggghtsEngine
-(
-    const polyMesh& mesh,
-    const dictionary& dict
-)
-:
-    particleEngine(mesh, dict),
-    native_(dict.found("input")),
-    deltaT_(0),
-    library_(dict, options(mesh)),
-    g_(Zero),
-    needsSetup_(true),
-    maxDiameter_(0)
-{
-    userEntry::onlyThese
-    (
-        dict,
-        {
-            "FoamFile", "engine", "periodic", "heat", "overlapTolerance",
-            "materials", "contacts", "walls", "insertion", "timeStep", "skin",
-            "processors", "commands", "input", "library", "frameAcceleration",
-            "output"
-        }
-    );
-
-    readGravity();
-
-    if (native_)
-    {
-        for
-        (
-            const word& key
-          : wordList
-            ({
-                "materials", "contacts", "walls", "insertion", "skin",
-                "processors", "frameAcceleration", "heat"
-            })
-        )
-        {
-            if (dict.found(key))
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Entries 'input' and '" << key << "' exclude each"
-                    << " other: the input file brings its own" << nl
-                    << "Remove one of them"
-                    << exit(FatalIOError);
-            }
-        }
-
-        deltaT_ = userEntry::positive
-        (
-            userEntry::subDict(dict, "timeStep"), "deltaT", dimTime
-        );
-
-        DynamicList<std::string> lines;
-        nativeInput(lines);
-        execute(lines);
-    }
-    else
-    {
-        if (!materials_)
-        {
-            FatalIOErrorInFunction(dict)
-                << "No materials: add the sub-dictionaries materials, contacts"
-                << " and insertion, or the entry 'input'"
-                << exit(FatalIOError);
-        }
-        for (const insertionModel& model : insertion_)
-        {
-            maxDiameter_ = max(maxDiameter_, model.maxDiameter());
-        }
-        if (maxDiameter_ <= 0)
-        {
-            FatalIOErrorInFunction(dict)
-                << "No particles: the sub-dictionary insertion is empty"
-                << exit(FatalIOError);
-        }
-
-        liggghtsCommands commands(dict_, materials_(), heat_);
-        chooseTimeStep(commands);
-        chooseUnits();
-        generated(commands);
-        execute(commands.lines());
-    }
-
-    library_.call
-    (
-        "setting up",
-        [this](liggghtsBinding& e)
-        {
-            e.units(units_);
-            e.expect(0.5*maxDiameter_, heat_);
-
-            if (mag(e.deltaT()/deltaT_ - 1) > 1e-9)
-            {
-                FatalIOErrorInFunction(dict_)
-                    << "The native input sets a timestep of " << e.deltaT()
-                    << " s, timeStep.deltaT is " << deltaT_ << " s" << nl
-                    << "Make them the same"
-                    << exit(FatalIOError);
-            }
-
-            if (!native_)
-            {
-                // The engine counts from its first step, also across restarts
-                const scalar start =
-                    mesh_.time().value() - e.step()*deltaT_;
-
-                e.gravity
-                (
-                    [this, start](double t, double* g)
-                    {
-                        vector value(g_);
-                        if (frameAcceleration_)
-                        {
-                            value -= frameAcceleration_->value(start + t);
-                        }
-                        std::memcpy(g, &value, 3*sizeof(double));
-                    }
-                );
-            }
-        }
-    );
-
-    if (restarted())
-    {
-        library_.call
-        (
-            "going on from the restart",
-            [](liggghtsBinding& e) { e.setup(); }
-        );
-        needsSetup_ = false;
-    }
-    else
-    {
-        insertInitial();
-    }
-
-    pull();
-    account();
-    printSetup();
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::dew::liggghtsEngine::readGravity()
-{
-    const uniformDimensionedVectorField g
-    (
-        IOobject
-        (
-            "g",
-            mesh_.time().constant(),
-            mesh_,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        ),
-        dimensionedVector("g", dimAcceleration, Zero)
-    );
-
-    if (g.dimensions() != dimAcceleration)
-    {
-        FatalErrorInFunction
-            << "Wrong dimensions in file " << g.objectPath() << ": "
-            << g.dimensions() << nl << "Expected: " << dimAcceleration
-            << exit(FatalError);
-    }
-    g_ = g.value();
-
-    if (dict_.found("frameAcceleration"))
-    {
-        frameAcceleration_ =
-            Function1<vector>::New("frameAcceleration", dict_);
-    }
-}
-
-
-void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
-{
-    const dictionary& dict = userEntry::optionalDict(dict_, "timeStep");
-    userEntry::onlyThese(dict, {"fraction", "deltaT"});
-
-    const scalar fraction =
-        userEntry::positiveOr(dict, "fraction", dimless, 0.1);
-
-    // Any material may come in the smallest size
-    scalar Rmin = GREAT;
-    for (const insertionModel& model : insertion_)
-    {
-        Rmin = min(Rmin, 0.5*model.minDiameter());
-    }
-
-    scalar stable = GREAT, wanted = GREAT;
-    for (label i = 0; i < materials_->size(); i++)
-    {
-        stable = min(stable, commands.stableTimeStep(i, Rmin));
-        wanted = min(wanted, commands.timeStep(i, Rmin, fraction));
-    }
-
-    const scalar step = mesh_.time().deltaTValue();
-
-    if (restarted())
-    {
-        deltaT_ = restart_.get<scalar>("deltaT");
-
-        const scalar asked =
-            userEntry::positiveOr(dict, "deltaT", dimTime, deltaT_);
-        if (mag(asked/deltaT_ - 1) > 1e-9)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'deltaT' in " << dict.dictName() << " is " << asked
-                << ", the restart was made with a sub-step of " << deltaT_
-                << nl << "The sub-step is constant for a run: remove the entry,"
-                << " or start from the beginning"
-                << exit(FatalIOError);
-        }
-    }
-    else if (dict.found("deltaT"))
-    {
-        deltaT_ = userEntry::positive(dict, "deltaT", dimTime);
-    }
-    else
-    {
-        deltaT_ = step/std::ceil(step/wanted*(1 - 1e-12));
-    }
-
-    if (deltaT_ > stable)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "The sub-step " << deltaT_ << " s is above the stability limit "
-            << stable << " s of the contact model (smallest radius "
-            << Rmin << " m)" << nl
-            << "Lower timeStep.deltaT (or fraction, now " << fraction
-            << "; recommended 0.1: " << wanted*0.1/fraction << " s)"
-            << exit(FatalIOError);
-    }
-}
-
-
-void Foam::dew::liggghtsEngine::chooseUnits()
-{
-    if (restarted())
-    {
-        units_.length = restart_.get<scalar>("unitLength");
-        units_.mass = restart_.get<scalar>("unitMass");
-        units_.time = restart_.get<scalar>("unitTime");
-
-        if (dict_.found("commands") && units_.length != 1)
-        {
-            FatalIOErrorInFunction(dict_)
-                << "Entry 'commands' in " << dict_.dictName() << " is in SI,"
-                << " but the restart was written without it, in units of "
-                << units_.length << " m" << nl
-                << "Start from the beginning, or remove the entry"
-                << exit(FatalIOError);
-        }
-        return;
-    }
-
-    if (dict_.found("commands"))
-    {
-        // Lines of the user are in SI, so all of them are
-        return;
-    }
-
-    units_.length = powerOfTwo(maxDiameter_);
-    units_.mass =
-        powerOfTwo(materials_->density(0)*pow3(maxDiameter_));
-    units_.time = powerOfTwo(1024*deltaT_);
-}
-
-
-void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
-{
-    commands.units(units_);
-    commands.begin();
-
-    // Walls may reach beyond the mesh, the engine's box must hold them
-    PtrList<particleWall> walls;
-    List<List<wallShape>> shapes;
-    boundBox wide(box_.bounds());
-
-    const dictionary& wallDict = userEntry::optionalDict(dict_, "walls");
-    for (const entry& e : wallDict)
-    {
-        walls.append
-        (
-            particleWall::New
-            (
-                e.keyword(),
-                userEntry::dictOf(wallDict, e),
-                materials_(),
-                mesh_
-            ).ptr()
-        );
-        const particleWall& w = walls.last();
-        shapes.append(w.shapes());
-
-        for (const wallShape& shape : shapes.last())
-        {
-            boundBox own(shape.corners, false);
-            own.reduce();
-
-            // Planes and cylinders are endless: where they cross the box
-            if (shape.what != wallShape::triangles)
-            {
-                point low(box_.bounds().min()), high(box_.bounds().max());
-                for (direction k = 0; k < 3; k++)
-                {
-                    const bool along = (k == direction(shape.axis));
-                    if (along == (shape.what == wallShape::plane))
-                    {
-                        low[k] = shape.position[k] - shape.radius;
-                        high[k] = shape.position[k] + shape.radius;
-                    }
-                }
-                own = boundBox(low, high);
-            }
-            if (own.valid())
-            {
-                wide.add
-                (
-                    w.motion().swept(own, mesh_.time().endTime().value())
-                );
-            }
-        }
-    }
-
-    // A particle leaves when its centre is a radius beyond the last of them
-    for (direction k = 0; k < 3; k++)
-    {
-        if (box_.periodic(k))
-        {
-            wide.min()[k] = box_.bounds().min()[k];
-            wide.max()[k] = box_.bounds().max()[k];
-        }
-        else
-        {
-            wide.min()[k] -= 0.5*maxDiameter_;
-            wide.max()[k] += 0.5*maxDiameter_;
-        }
-    }
-
-    if (restarted())
-    {
-        // The engine's box is that of the first start
-        const boundBox first
-        (
-            restart_.get<point>("boxMin"), restart_.get<point>("boxMax")
-        );
-        boundBox inflated(first);
-        inflated.inflate(1e-9);
-
-        if (!inflated.contains(wide))
-        {
-            FatalIOErrorInFunction(dict_)
-                << "Walls reach out to " << wide << " until endTime, the"
-                << " engine's box is " << first << " since the first start"
-                << nl << "Start from the beginning with this endTime, or end"
-                << " earlier"
-                << exit(FatalIOError);
-        }
-        wide = first;
-
-        commands.readRestart(checkedRestartFile());
-    }
-    else
-    {
-        commands.box(box_, wide, materials_->size());
-    }
-
-    engineBox_ = wide;
-
-    commands.contact
-    (
-        0.5*maxDiameter_*userEntry::positiveOr(dict_, "skin", dimless, 0.3)
-    );
-
-    const fileName path(mesh_.time().globalPath()/folder);
-    forAll(walls, i)
-    {
-        forAll(shapes[i], part)
-        {
-            const word name
-            (
-                walls[i].name() + (part ? "_" + Foam::name(part) : "")
-            );
-            commands.wallOf
-            (
-                walls[i], name, shapes[i][part], path/(name + ".stl")
-            );
-        }
-    }
-
-    commands.meshWalls();
-
-    if (heat_)
-    {
-        commands.conduction(293.15);
-    }
-    commands.end(deltaT_);
-
-    if (dict_.found("commands"))
-    {
-        commands.native(dict_.get<List<string>>("commands"));
-    }
-    commands.integrator();
-}
-
-
-void Foam::dew::liggghtsEngine::nativeInput(DynamicList<std::string>& lines)
-{
-    if (restarted())
-    {
-        FatalIOErrorInFunction(dict_)
-            << "A case with the entry 'input' cannot go on from a restart:"
-            << " its input file starts from the beginning" << nl
-            << "Use the generated set-up, or start at time 0"
-            << exit(FatalIOError);
-    }
-
-    fileName path(dict_.get<fileName>("input"));
-    path.expand();
-    if (!path.isAbsolute())
-    {
-        path = mesh_.time().globalPath()/path;
-    }
-
-    bool found = Pstream::master() && isFile(path);
-    Pstream::scatter(found);
-    if (!found)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "No file " << path << " (entry 'input')" << nl
-            << "The path counts from the case"
-            << exit(FatalIOError);
-    }
-
-    lines.append("include \"" + path + '"');
-    if (dict_.found("commands"))
-    {
-        for (const string& line : dict_.get<List<string>>("commands"))
-        {
-            lines.append(line);
-        }
-    }
-    lines.append("fix integrate all dew/integrate");
-}
-
-
-void Foam::dew::liggghtsEngine::execute(const UList<std::string>& lines)
-{
-    if (Pstream::master())
-    {
-        std::ofstream os(mesh_.time().globalPath()/folder/"in.particles");
-        os.precision(17);
-        os  << "# Made from constant/particleProperties\n# One engine unit: "
-            << units_.length << " m, " << units_.mass << " kg, "
-            << units_.time << " s\n";
-
-        for (const std::string& line : lines)
-        {
-            os << line << '\n';
-        }
-    }
-
-    // The user's own are the last but the integrator
-    const label nOwn =
-        dict_.found("commands")
-      ? dict_.get<List<string>>("commands").size()
-      : 0;
-
-    forAll(lines, i)
-    {
-        const std::string& line = lines[i];
-        const std::string origin
-        (
-            i < lines.size() - 1 - nOwn || i == lines.size() - 1
-          ? "made from constant/particleProperties, see dem/in.particles"
-          : "entry 'commands' in constant/particleProperties"
-        );
-
-        library_.call
-        (
-            "command '" + line + "' (" + origin + ')',
-            [&line](liggghtsBinding& e) { e.command(line); }
-        );
-    }
-}
-
-
-void Foam::dew::liggghtsEngine::printSetup() const
-{
-    Info<< "Particles: " << ledger_.particles;
-    if (maxDiameter_ > 0)
-    {
-        Info<< ", up to d " << maxDiameter_ << " m";
-    }
-    Info<< ", sub-step " << deltaT_ << " s";
-    if (restarted())
-    {
-        Info<< ", continued from the restart of time "
-            << mesh_.time().timeName();
-    }
-    Info<< nl << "Engine: " << library_.engine().version().c_str()
-        << ", one unit is " << units_.length << " m, " << units_.mass
-        << " kg, " << units_.time << " s" << nl
-        << "Gravity: ";
-    if (native_)
-    {
-        Info<< "as in the input file";
-    }
-    else
-    {
-        Info<< g_ << (frameAcceleration_ ? " and a shaken frame" : "");
-    }
-    Info<< nl << endl;
-}
-
-
-Foam::fileName Foam::dew::liggghtsEngine::checkedRestartFile() const
-{
-    // The master reads it for all ranks
-    const fileName path(restartFolder_/restart_.get<fileName>("file"));
-
-    if (Pstream::master())
-    {
-        const std::pair<long, unsigned long> found(checksum(path));
-        // strto..., not sto...: a damaged number is a wrong one, no exception
-        const long length =
-            std::strtol(restart_.get<string>("bytes").c_str(), nullptr, 10);
-        const unsigned long crc =
-            std::strtoul(restart_.get<string>("crc32").c_str(), nullptr, 10);
-
-        if (found.first != length || found.second != crc)
-        {
-            FatalIOErrorInFunction(restart_)
-                << "The restart file " << path << " is damaged: "
-                << found.first << " bytes, checksum " << found.second
-                << "; written were " << length << " bytes, checksum " << crc
-                << nl << "Start from an earlier time, or from the beginning"
-                << exit(FatalIOError);
-        }
-    }
-
-    return path;
-}
-
 
 Foam::dew::newParticles Foam::dew::liggghtsEngine::converted
 (
@@ -768,6 +163,9 @@ Foam::label Foam::dew::liggghtsEngine::advance
     view.Qu = data(b.Qu);
     view.Qp = data(b.Qp);
     view.Tf = data(b.Tf);
+    view.Sn = data(b.Sn);
+    view.kick = data(b.kick);
+    view.heatKick = data(b.heatKick);
 
     library_.call
     (
@@ -811,6 +209,8 @@ void Foam::dew::liggghtsEngine::pull()
             s.impulse = data(state_.impulse);
             s.angularImpulse = data(state_.angularImpulse);
             s.heat = data(state_.heat);
+            s.impulseSp = data(state_.impulseSp);
+            s.heatSp = data(state_.heatSp);
             e.pull(s);
 
             for (label& type : state_.type)
@@ -828,21 +228,25 @@ void Foam::dew::liggghtsEngine::pull()
             }
 
             label n = 0;
-            scalar mass = 0;
+            scalar mass = 0, volume = 0;
             vector impulse(Zero);
             scalar heat = 0;
             for (const departedParticle& p : e.departed())
             {
                 n++;
                 mass += p.mass;
+                volume += p.volume;
                 impulse += vector(p.impulse[0], p.impulse[1], p.impulse[2]);
                 heat += p.heat;
             }
             ledger_.departed = returnReduce(n, sumOp<label>());
             ledger_.departedMass = returnReduce(mass, sumOp<scalar>());
+            ledger_.departedVolume = returnReduce(volume, sumOp<scalar>());
+            ledger_.departedImpulse = returnReduce(impulse, sumOp<vector>());
+            ledger_.departedHeat = returnReduce(heat, sumOp<scalar>());
             ledger_.departedTotal += ledger_.departed;
-            ledger_.impulse += returnReduce(impulse, sumOp<vector>());
-            ledger_.heat += returnReduce(heat, sumOp<scalar>());
+            ledger_.impulse += ledger_.departedImpulse;
+            ledger_.heat += ledger_.departedHeat;
 
             for (const std::string& warning : e.warnings())
             {
@@ -874,7 +278,7 @@ void Foam::dew::liggghtsEngine::writeRestart
     std::pair<long, unsigned long> written(0, 0);
     if (Pstream::master())
     {
-        written = checksum(path/file);
+        written = fileChecksum(path/file);
     }
 
     dict.add("file", file);

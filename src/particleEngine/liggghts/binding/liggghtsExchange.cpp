@@ -1,0 +1,323 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+// Bulk forces to the engine, state and what was received from it
+
+#include "liggghtsEmbedded.h"
+#include "fixGravity.h"
+#include "impulseSensitivity.H"
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "fix_gravity.h"
+#include "modify.h"
+
+using namespace LAMMPS_NS;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+double finite(const double value, const int id)
+{
+    if (!std::isfinite(value))
+    {
+        throw std::runtime_error
+        (
+            "the bulk force (or torque, or heat) of particle "
+          + std::to_string(id) + " is not a finite number: look at"
+            " the law and the fields it was computed from"
+        );
+    }
+    return value;
+}
+
+// Copy nv values a particle from or to the stored columns, times a factor
+
+void setColumn
+(
+    Foam::dew::fixIntegrate& f,
+    const int* id,
+    const int n,
+    const double* from,
+    const int col,
+    const int nv,
+    const double factor
+)
+{
+    for (int i = 0; i < n; i++)
+    {
+        for (int k = 0; k < nv; k++)
+        {
+            f[i][col + k] = from ? factor*finite(from[nv*i + k], id[i]) : 0;
+        }
+    }
+}
+
+void getColumn
+(
+    const Foam::dew::fixIntegrate& f,
+    const int n,
+    double* to,
+    const int col,
+    const int nv,
+    const double factor
+)
+{
+    for (int i = 0; to && i < n; i++)
+    {
+        for (int k = 0; k < nv; k++)
+        {
+            to[nv*i + k] = factor*f[i][col + k];
+        }
+    }
+}
+
+void getVectors(double** from, const int n, double* to, const double factor)
+{
+    for (int i = 0; to && i < n; i++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            to[3*i + k] = factor*from[i][k];
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::liggghtsEmbedded::give
+(
+    const double* kick,
+    const double* heatKick
+)
+{
+    const Atom& atom = *lmp_->atom;
+    fixIntegrate& data = integrator();
+    const double perImpulse = 1/(units_.force()*units_.time);
+    const double perHeat = 1/(units_.power()*units_.time);
+
+    for (int i = 0; kick && i < atom.nlocal; i++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            atom.v[i][k] +=
+                perImpulse*finite(kick[3*i + k], atom.tag[i])/atom.rmass[i];
+        }
+    }
+
+    for (int i = 0; heatKick && i < atom.nlocal; i++)
+    {
+        const double q = perHeat*finite(heatKick[i], atom.tag[i]);
+        if (data.heated())
+        {
+            data.temperature()[i] += q/data.heatCapacity(i);
+        }
+    }
+}
+
+
+void Foam::dew::liggghtsEmbedded::gravityImpulse(double* perMass) const
+{
+    for (int k = 0; k < 3; k++)
+    {
+        perMass[k] = 0;
+    }
+
+    const Modify& modify = *lmp_->modify;
+
+    for (int f = 0; f < modify.nfix; f++)
+    {
+        double g[3] = {0, 0, 0};
+
+        if (const auto* ours = dynamic_cast<fixGravity*>(modify.fix[f]))
+        {
+            std::memcpy(g, ours->integral(), sizeof(g));
+        }
+        else if (auto* native = dynamic_cast<FixGravity*>(modify.fix[f]))
+        {
+            // Of a native input: as it is now
+            native->get_gravity(g);
+            for (int k = 0; k < 3; k++)
+            {
+                g[k] *= integrate_->elapsed();
+            }
+        }
+
+        for (int k = 0; k < 3; k++)
+        {
+            perMass[k] += g[k];
+        }
+    }
+}
+
+
+void Foam::dew::liggghtsEmbedded::sensitivities
+(
+    double* impulseSp,
+    double* heatSp
+) const
+{
+    typedef fixIntegrate f;
+    const fixIntegrate& data = *integrate_;
+    const Atom& atom = *lmp_->atom;
+    const engineUnits& u = units_;
+    const double t = data.elapsed();
+
+    double g[3];
+    gravityImpulse(g);
+
+    for (int i = 0; impulseSp && i < atom.nlocal; i++)
+    {
+        const double* d = data[i];
+        const double m = atom.rmass[i];
+        const double G[3] = {m*g[0], m*g[1], m*g[2]};
+
+        impulseSp[i] = 0;
+        if (d[f::Sp] > 0)
+        {
+            const double chi = heldShare
+            (
+                m, d + f::startVelocity, atom.v[i], d + f::impulse, G
+            );
+            impulseSp[i] = u.mass*impulseSensitivity(m, d[f::Sp], t, chi);
+        }
+    }
+
+    for (int i = 0; heatSp && data.heated() && i < atom.nlocal; i++)
+    {
+        heatSp[i] =
+            u.power()*u.time
+           *impulseSensitivity(data.heatCapacity(i), data[i][f::Qp], t, 0);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
+{
+    typedef fixIntegrate f;
+    fixIntegrate& data = integrator();
+    const int n = size();
+    const int* id = lmp_->atom->tag;
+    const engineUnits& u = units_;
+
+    give(b.kick, b.heatKick);
+
+    auto* gravity = dynamic_cast<fixGravity*>
+    (
+        lmp_->modify->find_fix_style("dew/gravity", 0)
+    );
+    if (gravity)
+    {
+        gravity->clear();
+    }
+
+    // Decided together: a particle may migrate to a rank that pushed nothing
+    int any = b.Su || b.Sn || b.Sp || b.Tu || b.Tp || b.Qu || b.Qp;
+    MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, world_);
+
+    if (!any && !data.loaded() && !data.heated())
+    {
+        return;
+    }
+
+    setColumn(data, id, n, b.Su, f::Su, 3, 1/u.force());
+    setColumn(data, id, n, b.Sp, f::Sp, 1, u.velocity()/u.force());
+    setColumn(data, id, n, b.U, f::U, 3, 1/u.velocity());
+    setColumn(data, id, n, b.Tu, f::Tu, 3, 1/u.torque());
+    setColumn(data, id, n, b.Tp, f::Tp, 1, 1/(u.torque()*u.time));
+    setColumn(data, id, n, b.Omega, f::Omega, 3, u.time);
+    setColumn(data, id, n, b.Qu, f::Qu, 1, 1/u.power());
+    setColumn(data, id, n, b.Qp, f::Qp, 1, 1/u.power());
+    setColumn(data, id, n, b.Tf, f::Tf, 1, 1);
+
+    setColumn(data, id, n, b.Sn, f::Sn, 3, 1/u.force());
+
+    for (int i = 0; i < n; i++)
+    {
+        // The sub-steps know one constant force
+        for (int k = 0; k < 3; k++)
+        {
+            data[i][f::Su + k] += data[i][f::Sn + k];
+        }
+        std::memset(data[i] + f::impulse, 0, 7*sizeof(double));
+    }
+
+    data.load(any);
+}
+
+
+void Foam::dew::liggghtsEmbedded::pull(const stateView& s) const
+{
+    typedef fixIntegrate f;
+    const fixIntegrate& data = *integrate_;
+    const Atom& atom = *lmp_->atom;
+    const int n = atom.nlocal;
+    const engineUnits& u = units_;
+
+    if (s.id) std::memcpy(s.id, atom.tag, n*sizeof(int));
+    if (s.type) std::memcpy(s.type, atom.type, n*sizeof(int));
+
+    getVectors(atom.x, n, s.x, u.length);
+    getVectors(atom.v, n, s.v, u.velocity());
+    getVectors(atom.omega, n, s.omega, 1/u.time);
+
+    for (int i = 0; s.d && i < n; i++)
+    {
+        s.d[i] = 2*u.length*atom.radius[i];
+    }
+    for (int i = 0; s.rho && i < n; i++)
+    {
+        s.rho[i] = u.density()*atom.density[i];
+    }
+    if (s.T && data.temperature())
+    {
+        std::memcpy(s.T, data.temperature(), n*sizeof(double));
+    }
+
+    for (int i = 0; s.impulse && i < n; i++)
+    {
+        double J[3];
+        data.received(i, J);
+        for (int k = 0; k < 3; k++)
+        {
+            s.impulse[3*i + k] = u.force()*u.time*J[k];
+        }
+    }
+    getColumn(data, n, s.angularImpulse, f::angularImpulse, 3, u.torque()*u.time);
+    getColumn(data, n, s.heat, f::heat, 1, u.power()*u.time);
+    sensitivities(s.impulseSp, s.heatSp);
+}
+
+
+std::vector<Foam::dew::departedParticle>
+Foam::dew::liggghtsEmbedded::departed()
+{
+    std::vector<departedParticle> result(integrator().departed());
+
+    for (departedParticle& p : result)
+    {
+        p.mass *= units_.mass;
+        p.volume *= units_.length*units_.length*units_.length;
+        p.heat *= units_.power()*units_.time;
+        for (int k = 0; k < 3; k++)
+        {
+            p.x[k] *= units_.length;
+            p.v[k] *= units_.velocity();
+            p.impulse[k] *= units_.force()*units_.time;
+        }
+    }
+
+    return result;
+}
