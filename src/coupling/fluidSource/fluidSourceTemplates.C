@@ -76,7 +76,7 @@ void Foam::dew::fluidSource<Type>::correct
         values[i] = transfer{received[i], sensitivity[i]};
     }
 
-    map_.scatter
+    map_.share
     (
         values,
         [&](const label celli, const scalar w, const transfer& value)

@@ -7,6 +7,7 @@
 #include "exchangeLedger.H"
 #include "OSspecific.H"
 #include "Pstream.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
 
 #include <sstream>
@@ -35,6 +36,30 @@ Foam::dew::exchangeLedger::exchangeLedger(const Time& time)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::exchangeLedger::mostClipped(const scalar volume)
+{
+    const scalar most = returnReduce(volume, maxOp<scalar>());
+    if (most <= 0)
+    {
+        return;
+    }
+
+    const label me = Pstream::myProcNo();
+    const label rank =
+        returnReduce(volume == most ? me : labelMax, minOp<label>());
+
+    if (rank != me)
+    {
+        clippedCell = 0;
+        clippedAt = Zero;
+        clippedAlphac = 0;
+    }
+    reduce(clippedCell, sumOp<label>());
+    reduce(clippedAt, sumOp<vector>());
+    reduce(clippedAlphac, sumOp<scalar>());
+}
+
 
 void Foam::dew::exchangeLedger::print() const
 {

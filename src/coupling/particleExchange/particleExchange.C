@@ -5,11 +5,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleExchange.H"
-#include "fixedValueFvPatchFields.H"
+#include "inletOutletFvPatchFields.H"
 #include "leastSquaresGrad.H"
+#include "OSspecific.H"
 #include "particleRecord.H"
 #include "Time.H"
 #include "userEntry.H"
+#include "wallPolyPatch.H"
 
 #include <cmath>
 
@@ -190,34 +192,35 @@ Foam::dew::particleExchange::voidFractionField(const fvMesh& mesh)
         return tmp<volScalarField>::New(io, mesh);
     }
 
-    // There are no particles beyond an inlet
-    dictionary boundary;
-    for (const fvPatch& patch : mesh.boundary())
+    wordList types(mesh.boundary().size(), "zeroGradient");
+    forAll(types, patchi)
     {
-        dictionary one;
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
         if (polyPatch::constraintType(patch.type()))
         {
-            one.add("type", patch.type());
+            types[patchi] = patch.type();
         }
-        else if (isA<wallPolyPatch>(patch.patch()))
+        else if (!isA<wallPolyPatch>(patch))
         {
-            one.add("type", "zeroGradient");
+            types[patchi] = inletOutletFvPatchScalarField::typeName;
         }
-        else
-        {
-            one.add("type", "inletOutlet");
-            one.add("inletValue", "uniform 1");
-        }
-        boundary.add(patch.name(), one);
     }
 
-    return tmp<volScalarField>::New
+    tmp<volScalarField> talphac
     (
-        io,
-        mesh,
-        dimensionedScalar(dimless, 1),
-        patchTypes(mesh)
+        new volScalarField(io, mesh, dimensionedScalar("one", dimless, 1), types)
     );
+
+    // There are no particles beyond an inlet
+    for (fvPatchScalarField& patch : talphac.ref().boundaryFieldRef())
+    {
+        if (isA<inletOutletFvPatchScalarField>(patch))
+        {
+            refCast<inletOutletFvPatchScalarField>(patch).refValue() = 1;
+        }
+    }
+
+    return talphac;
 }
 
 
@@ -504,13 +507,27 @@ void Foam::dew::particleExchange::readKicks()
     }
     kicked_ = true;
 
-    const label nValues = heat_ ? 4 : 3;
-    List<scalar> values(nValues*n, scalar(0));
-
-    if (!particleRecord::read(mesh_.time(), kickFile(), state_.id, nValues, values))
+    // Of the master's processor directory, or of the whole case, as the
+    // engine's own restart; a run of particles alone has none
+    const Time& time = mesh_.time();
+    fileName path(time.path()/time.timeName()/kickFile());
+    if (!isFile(path))
+    {
+        path = time.globalPath()/time.timeName()/kickFile();
+    }
+    bool found = isFile(path);
+    Pstream::scatter(found);
+    if (!found)
     {
         return;
     }
+
+    const label nValues = heat_ ? 4 : 3;
+    boolList known;
+    const List<scalar> values
+    (
+        particleRecord::read(path, state_.id, nValues, known)
+    );
     for (label i = 0; i < n; i++)
     {
         const scalar* v = values.cdata() + nValues*i;
@@ -582,7 +599,7 @@ Foam::dew::particleExchange::pressureShare
     (
         IOobject("pressureShare", mesh_.time().timeName(), mesh_),
         mesh_,
-        dimensionedScalar(dimless, 1)
+        dimensionedScalar("one", dimless, 1)
     );
 }
 

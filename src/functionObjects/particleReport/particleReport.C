@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleReport.H"
+#include "particleExchange.H"
 #include "particleOutput.H"
 #include "Time.H"
 
@@ -22,7 +23,23 @@ Foam::dew::particleReport::particleReport
 :
     time_(time),
     particles_(particles),
-    output_(output)
+    output_(output),
+    exchange_(nullptr)
+{}
+
+
+Foam::dew::particleReport::particleReport
+(
+    const Time& time,
+    const particleEngine& particles,
+    const particleOutput& output,
+    const particleExchange& exchange
+)
+:
+    time_(time),
+    particles_(particles),
+    output_(output),
+    exchange_(&exchange)
 {}
 
 
@@ -33,6 +50,10 @@ void Foam::dew::particleReport::print()
     const particleEngine::ledger& l = particles_.balance();
     const scalar wall = max(clock_.elapsedTime(), SMALL);
 
+    const auto percent = [wall](const scalar time)
+    {
+        return std::round(100*time/wall);
+    };
     const scalar writing = output_.time() + particles_.writeTime();
 
     // Four digits are enough to read
@@ -47,8 +68,18 @@ void Foam::dew::particleReport::print()
         << "  sub-steps " << l.subSteps
         << "  kinetic energy " << energy.str().c_str() << " J"
         << "  wall " << clock.str().c_str() << " s (engine "
-        << std::round(100*particles_.engineTime()/wall) << " %, output "
-        << std::round(100*writing/wall) << " %)" << endl;
+        << percent(particles_.engineTime());
+    if (exchange_)
+    {
+        const scalar known =
+            particles_.engineTime() + exchange_->mapTime()
+          + exchange_->exchangeTime() + writing;
+
+        Info<< " %, map " << percent(exchange_->mapTime())
+            << " %, exchange " << percent(exchange_->exchangeTime())
+            << " %, fluid " << percent(max(wall - known, scalar(0)));
+    }
+    Info<< " %, output " << percent(writing) << " %)" << endl;
 
     if (l.inserted || l.waiting)
     {

@@ -163,7 +163,7 @@ void Foam::dew::particleMesh::correct
     const UList<particleKey>& keys = hosts_.keys();
 
     List<DynamicList<walker>> travelling(Pstream::nProcs());
-    DynamicList<share> shares;
+    DynamicList<portion> shares;
 
     for (label k = 0; k < nHosted; k++)
     {
@@ -238,7 +238,7 @@ Foam::scalar Foam::dew::particleMesh::largestShare
 ) const
 {
     scalar largest = 0;
-    scatter
+    share
     (
         values,
         [&](const label c, const scalar w, const scalar value)

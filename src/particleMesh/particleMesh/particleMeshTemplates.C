@@ -7,7 +7,7 @@
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class Type, class AddOp>
-void Foam::dew::particleMesh::scatter
+void Foam::dew::particleMesh::share
 (
     const UList<Type>& values,
     const AddOp& add
@@ -46,7 +46,7 @@ void Foam::dew::particleMesh::scatter
     UList<Type>& sums
 ) const
 {
-    scatter
+    share
     (
         values,
         [&sums](const label celli, const scalar w, const Type& value)

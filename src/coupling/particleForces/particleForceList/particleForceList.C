@@ -19,7 +19,7 @@ Foam::dew::particleForceList::modelNames
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::dew::particleForceList::particleForces(const dictionary& dict)
+Foam::dew::particleForceList::particleForceList(const dictionary& dict)
 :
     model_(modelNames.getOrDefault("model", dict, models::A))
 {

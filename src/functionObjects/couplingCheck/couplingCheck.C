@@ -1,0 +1,127 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "couplingCheck.H"
+#include "fvc.H"
+
+#include <cmath>
+#include <cstdio>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- One line of the table
+void printLine
+(
+    const char* what,
+    const double value,
+    const double limit,
+    const char* remedy
+)
+{
+    char text[120];
+    std::snprintf(text, sizeof(text), "    %-44s %10.3g   %s", what, value, value > limit ? "WARNING" : "ok");
+    Foam::Info<< text;
+    if (value > limit)
+    {
+        std::snprintf(text, sizeof(text), "%.3g", limit);
+        Foam::Info<< ": above " << text << ". " << remedy;
+    }
+    Foam::Info<< Foam::nl;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::couplingCheck::couplingCheck
+(
+    const fvMesh& mesh,
+    const particleEngine& particles,
+    particleExchange& exchange
+)
+:
+    mesh_(mesh),
+    particles_(particles),
+    exchange_(exchange)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::couplingCheck::print() const
+{
+    const particleState& s = particles_.state();
+    const scalar dt = mesh_.time().deltaTValue();
+
+    // Laws in the fluid as it is at the start
+    exchange_.forces();
+
+    // Largest particle over the width of the cell it is in
+    scalar width = 0;
+    {
+        const hostCells& hosts = exchange_.map().hosts();
+        const List<scalar> d(hosts.map().forward(s.d));
+        forAll(d, k)
+        {
+            width = max(width, d[k]/std::cbrt(mesh_.V()[hosts.cells()[k]]));
+        }
+        reduce(width, maxOp<scalar>());
+    }
+    label celli = -1;
+    const scalar share =
+        returnReduce(exchange_.largestOccupation(celli), maxOp<scalar>());
+
+    const surfaceScalarField& phi =
+        mesh_.lookupObject<surfaceScalarField>("phi");
+    const scalar Co =
+        0.5*dt*gMax
+        (
+            scalarField
+            (
+                fvc::surfaceSum(mag(phi))().primitiveField()/mesh_.V().field()
+            )
+        );
+
+    Info<< "Check of the set-up" << nl;
+    if (particles_.stableDeltaT() > 0)
+    {
+        printLine
+        (
+            "sub-step over stability limit of contacts",
+            particles_.deltaT()/particles_.stableDeltaT(), 0.5,
+            "Lower timeStep.fraction or timeStep.deltaT"
+        );
+        printLine
+        (
+            "sub-steps a time step", dt/particles_.deltaT(), 1e5,
+            "Lower deltaT, or choose softer contacts"
+        );
+    }
+    printLine
+    (
+        "time step over relaxation time",
+        exchange_.largestRelaxation(),
+        exchange_.explicitMomentum() ? 1 : GREAT,
+        "Lower deltaT, or use momentum semiImplicit"
+    );
+    printLine
+    (
+        "particle diameter over cell width", width,
+        exchange_.widthLimit(),
+        "The fluid a particle sees is disturbed by itself: use a coarser mesh"
+    );
+    printLine
+    (
+        "share of a cell one particle fills", share, 0.5,
+        "Use a coarser mesh, or voidFraction divided"
+    );
+    printLine("Courant number", Co, 1, "Lower deltaT, or set adjustTimeStep");
+    Info<< endl;
+}
