@@ -115,17 +115,18 @@ def test_rotation_and_temperature_relax_exactly(tmp_path, d, ratio):
 @pytest.mark.parametrize('ratio', [0, 1e-3, 1, 1e3])
 @pytest.mark.parametrize('d', [200e-9, 20e-3])
 def test_force_without_reaction_is_not_received(tmp_path, d, ratio):
-    """m dv/dt = Sp (U - v) + Su + Sn + m g; received is m dv - m g t - Sn t, to 1e-6 of the velocity change."""
+    """m dv/dt = Sp (U - v) + Su + Sn + m g; received is m dv - m g t - Sn t, to 1e-6 of the velocity change. With
+    ratio 0 there is no term but Sn."""
     m = MATERIAL['density'] * np.pi / 6 * d**3
     dt = 1e-2 * d * (MATERIAL['density'] / MATERIAL['youngsModulus'])**0.5
     t, k = 10 * dt, ratio / dt
     U = np.array([1.0, -0.5, 0.2]) * d / dt * 1e-3
     scale = np.linalg.norm(U)
     a, g, Su = (scale / max(1 / max(k, 1e-9 / dt), dt) * np.array(e) for e in
-                ((0.1, 0.3, 0), (0, 0, -0.3), (0.2, 0, 0)))
+                ((0.1, 0.3, 0), (0, 0, -0.3), (0.2 if ratio else 0, 0, 0)))
     v = np.zeros(3)
     case = one_particle(tmp_path, d, dt, 10, 2, tuple(g))
-    run_engine(case, {'Sp': m * k, 'U': tuple(U), 'Su': tuple(m * Su), 'Sn': tuple(m * a)})
+    run_engine(case, {'Sn': tuple(m * a), **({'Sp': m * k, 'U': tuple(U), 'Su': tuple(m * Su)} if ratio else {})})
     for step in (1, 2):
         row = engine_table(case, step * t)
         rest = a + g + Su
@@ -157,6 +158,8 @@ def test_kick_is_given_at_once(tmp_path, d, ratio):
             assert np.all(vectors(row, 'jx jy jz') == 0) and row['jsp'][0] == 0
         assert np.abs(vectors(row, 'vx vy vz')[0] - after).max() < 1e-6 * np.abs(v + dv).max() * np.exp(-k * t)
         assert np.abs(vectors(row, 'jx jy jz')[0] - J).max() < 1e-12 * m * np.abs(dv).max()
+        # A kick is no contact
+        assert abs(row['jsp'][0] + m * np.expm1(-k * t)) < 1e-9 * m
         v = after
     # From the start of the step, not its end
     assert ratio or np.abs(vectors(row, 'x y z')[0] - 50*d - 3 * dv * t).max() < 1e-12 * 50 * d
