@@ -41,7 +41,9 @@ Foam::label Foam::dew::particleState::findNotFinite() const
         const scalar sum =
             cmptSum(cmptMag(x[i])) + cmptSum(cmptMag(v[i]))
           + cmptSum(cmptMag(omega[i])) + d[i] + rho[i]
-          + (thermal ? mag(T[i]) : 0);
+          + cmptSum(cmptMag(impulse[i])) + cmptSum(cmptMag(angularImpulse[i]))
+          + impulseSp[i]
+          + (thermal ? mag(T[i]) + mag(heat[i]) + heatSp[i] : 0);
 
         // Squares of what passes are finite, too
         if (!(sum < 1e100))

@@ -6,6 +6,9 @@
 
 #include "prescribedEngine.H"
 #include "addToRunTimeSelectionTable.H"
+#include "exponentialRelaxation.H"
+#include "impulseSensitivity.H"
+#include "particleRecord.H"
 #include "polyMesh.H"
 #include "PstreamReduceOps.H"
 #include "sphereGrid.H"
@@ -50,7 +53,7 @@ Foam::dew::prescribedEngine::prescribedEngine
         dict,
         {
             "FoamFile", "engine", "periodic", "heat", "overlapTolerance",
-            "materials", "insertion", "velocity", "output"
+            "materials", "insertion", "velocity", "coupling", "output"
         }
     );
 
@@ -84,12 +87,52 @@ Foam::dew::prescribedEngine::prescribedEngine
     ledger_.insertedTotal = 0;
     insertInitial();
 
+    if (restarted() && heat_)
+    {
+        readTemperatures();
+    }
+
     const scalar t = mesh.time().value();
     advance(bulkForces(), t, t);
     pull();
     account();
 
     Info<< "Particles: " << ledger_.particles << ", prescribed" << nl << endl;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::prescribedEngine::readTemperatures()
+{
+    if (!restart_.found("temperatures"))
+    {
+        FatalIOErrorInFunction(restart_)
+            << "The restart was written without temperatures, the case has"
+            << " heat on" << nl
+            << "Switch heat off, or start from the beginning"
+            << exit(FatalIOError);
+    }
+
+    const fileName path(restartFolder_/restart_.get<fileName>("temperatures"));
+    boolList found;
+    state_.T = particleRecord::read(path, state_.id, 1, found);
+
+    label missing = 0;
+    for (const bool one : found)
+    {
+        missing += !one;
+    }
+    reduce(missing, sumOp<label>());
+
+    if (missing)
+    {
+        FatalIOErrorInFunction(restart_)
+            << "No temperature of " << missing << " particles in " << path
+            << nl << "The insertion is another than before the restart: bring"
+            << " it back, or start from the beginning"
+            << exit(FatalIOError);
+    }
 }
 
 
@@ -186,14 +229,23 @@ Foam::label Foam::dew::prescribedEngine::advance
         if (b.Tu.size()) state_.angularImpulse[i] += dt*b.Tu[i];
         if (b.Tp.size()) state_.angularImpulse[i] += dt*b.Tp[i]*b.Omega[i];
 
+        state_.impulseSp[i] = b.Sp.size() ? b.Sp[i]*dt : 0;
+
         if (heat_)
         {
-            state_.heat[i] = 0;
-            if (b.Qu.size()) state_.heat[i] += dt*b.Qu[i];
-            if (b.Qp.size())
-            {
-                state_.heat[i] += dt*b.Qp[i]*(b.Tf[i] - state_.T[i]);
-            }
+            const scalar mc =
+                state_.mass(i)*materials_->heatCapacity(state_.type[i]);
+            const scalar Qp = b.Qp.size() ? b.Qp[i] : 0;
+
+            if (b.heatKick.size()) state_.T[i] += b.heatKick[i]/mc;
+
+            scalar Q = 0;
+            if (b.Qu.size()) Q += b.Qu[i];
+            if (b.Qp.size()) Q += Qp*(b.Tf[i] - state_.T[i]);
+
+            state_.heat[i] = Q*dt*phi1(Qp*dt/mc);
+            state_.heatSp[i] = impulseSensitivity(mc, Qp, dt, 0);
+            state_.T[i] += state_.heat[i]/mc;
         }
     }
 
@@ -203,16 +255,22 @@ Foam::label Foam::dew::prescribedEngine::advance
 
 void Foam::dew::prescribedEngine::pull()
 {
-    ledger_.departed = 0;
-    ledger_.departedMass = 0;
+    // Nothing leaves
 }
 
 
 void Foam::dew::prescribedEngine::writeRestart
 (
     dictionary& dict,
-    const fileName&
+    const fileName& path
 ) const
 {
     dict.add("displacement", displacement_);
+
+    if (heat_)
+    {
+        const fileName file("temperatures");
+        particleRecord::write(path/file, state_.id, state_.T, 1);
+        dict.add("temperatures", file);
+    }
 }

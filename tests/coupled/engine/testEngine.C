@@ -22,8 +22,13 @@ Description
     Qp      0;              // [W/K]
     Tf      300;
     Qu      0;
-    nSteps  1;              // time steps
-    poison  -1;             // step at which Su becomes NaN
+    Sn      (0 0 0);
+    kick    (0 0 0);        // [N s], in every time step
+    heatKick 0;             // [J], likewise
+    poison  -1;             // step at which an array becomes NaN:
+    poisoned Su;            // Su, Sn, kick or heatKick
+    recordWrite file;       // at the start: a particleRecord of x and d
+    recordRead  file;       // at the start: is it the present x and d?
     \endverbatim
 
     and every time step is written to <time>/engine.csv: the state, and what
@@ -34,6 +39,7 @@ Description
 #include "IFstream.H"
 #include "OSspecific.H"
 #include "particleEngine.H"
+#include "particleRecord.H"
 #include "polyMesh.H"
 #include "tensor.H"
 #include "Time.H"
@@ -59,7 +65,7 @@ void write(const Time& time, const dew::particleState& s)
             if (rank == 0)
             {
                 os << "id,x,y,z,vx,vy,vz,wx,wy,wz,d,rho,T,"
-                    << "jx,jy,jz,lx,ly,lz,q\n";
+                    << "jx,jy,jz,lx,ly,lz,q,jsp,qsp\n";
             }
 
             const auto put = [&os](const vector& v)
@@ -77,11 +83,58 @@ void write(const Time& time, const dew::particleState& s)
                     << (s.thermal ? s.T[i] : 0);
                 put(s.impulse[i]);
                 put(s.angularImpulse[i]);
-                os << ',' << (s.thermal ? s.heat[i] : 0) << '\n';
+                os << ',' << (s.thermal ? s.heat[i] : 0)
+                    << ',' << s.impulseSp[i]
+                    << ',' << (s.thermal ? s.heatSp[i] : 0) << '\n';
             }
         }
         label turn = rank;
         reduce(turn, maxOp<label>());
+    }
+}
+
+
+//- Particle records, for as many values as make use of all components
+void records(const dictionary& dict, const dew::particleState& s)
+{
+    const label nComponents = 4;
+    List<scalar> now(nComponents*s.size());
+    forAll(s.x, i)
+    {
+        for (direction k = 0; k < 3; k++)
+        {
+            now[nComponents*i + k] = s.x[i][k];
+        }
+        now[nComponents*i + 3] = s.d[i];
+    }
+
+    fileName file;
+    if (dict.readIfPresent("recordWrite", file))
+    {
+        dew::particleRecord::write(file, s.id, now, nComponents);
+    }
+    if (dict.readIfPresent("recordRead", file))
+    {
+        boolList found;
+        const List<scalar> then
+        (
+            dew::particleRecord::read(file, s.id, nComponents, found)
+        );
+        label nFound = 0, nSame = 0;
+        forAll(found, i)
+        {
+            bool same = true;
+            for (label k = 0; k < nComponents; k++)
+            {
+                same = same
+                 && now[nComponents*i + k] == then[nComponents*i + k];
+            }
+            nFound += found[i];
+            nSame += same;
+        }
+        reduce(nFound, sumOp<label>());
+        reduce(nSame, sumOp<label>());
+        Info<< "Record: found " << nFound << " same " << nSame << endl;
     }
 }
 
@@ -94,10 +147,14 @@ int main(int argc, char *argv[])
 
     IFstream is(runTime.globalPath()/"constant"/"testProperties");
     const dictionary dict(is);
+    Sout.precision(15);
     const label poison = dict.getOrDefault<label>("poison", -1);
 
     autoPtr<dew::particleEngine> engine(dew::particleEngine::New(mesh));
     dew::particleEngine& particles = engine();
+
+    Info<< "Stable sub-step " << particles.stableDeltaT() << endl;
+    records(dict, particles.state());
 
     while (runTime.run())
     {
@@ -118,6 +175,9 @@ int main(int argc, char *argv[])
         fill("Sp", b.Sp, scalar(0));
         fill("U", b.U, vector(Zero));
         fill("Su", b.Su, vector(Zero));
+        fill("Sn", b.Sn, vector(Zero));
+        fill("kick", b.kick, vector(Zero));
+        fill("heatKick", b.heatKick, scalar(0));
         fill("Tp", b.Tp, scalar(0));
         fill("Omega", b.Omega, vector(Zero));
         fill("Tu", b.Tu, vector(Zero));
@@ -138,8 +198,23 @@ int main(int argc, char *argv[])
 
         if (runTime.timeIndex() == poison && n)
         {
-            b.Su.setSize(n);
-            b.Su[0].x() = std::numeric_limits<scalar>::quiet_NaN();
+            const word what(dict.getOrDefault<word>("poisoned", "Su"));
+            const scalar bad = std::numeric_limits<scalar>::quiet_NaN();
+
+            if (what == "heatKick")
+            {
+                b.heatKick.setSize(n);
+                b.heatKick = Zero;
+                b.heatKick[0] = bad;
+            }
+            else
+            {
+                DynamicList<vector>& array =
+                    what == "Sn" ? b.Sn : what == "kick" ? b.kick : b.Su;
+                array.setSize(n);
+                array = Zero;
+                array[0].x() = bad;
+            }
         }
 
         particles.evolve(b);
@@ -149,7 +224,10 @@ int main(int argc, char *argv[])
         const dew::particleEngine::ledger& l = particles.balance();
         Info<< "Time = " << runTime.timeName() << " particles "
             << l.particles << " sub-steps " << l.subSteps
-            << " impulse " << l.impulse << " heat " << l.heat << endl;
+            << " impulse " << l.impulse << " heat " << l.heat
+            << " departed " << l.departed << ' ' << l.departedMass << ' '
+            << l.departedVolume << ' ' << l.departedImpulse << ' '
+            << l.departedHeat << endl;
     }
 
     Info<< "End\n" << endl;

@@ -112,6 +112,184 @@ def test_rotation_and_temperature_relax_exactly(tmp_path, d, ratio):
             assert abs(row['q'][0] - m * cp * (T - T0)) < 1e-6 * m * cp * abs(T_end - T0)
 
 
+@pytest.mark.parametrize('ratio', [0, 1e-3, 1, 1e3])
+@pytest.mark.parametrize('d', [200e-9, 20e-3])
+def test_force_without_reaction_is_not_received(tmp_path, d, ratio):
+    """m dv/dt = Sp (U - v) + Su + Sn + m g; received is m dv - m g t - Sn t, to 1e-6 of the velocity change. With
+    ratio 0 there is no term but Sn."""
+    m = MATERIAL['density'] * np.pi / 6 * d**3
+    dt = 1e-2 * d * (MATERIAL['density'] / MATERIAL['youngsModulus'])**0.5
+    t, k = 10 * dt, ratio / dt
+    U = np.array([1.0, -0.5, 0.2]) * d / dt * 1e-3
+    scale = np.linalg.norm(U)
+    a, g, Su = (scale / max(1 / max(k, 1e-9 / dt), dt) * np.array(e) for e in
+                ((0.1, 0.3, 0), (0, 0, -0.3), (0.2 if ratio else 0, 0, 0)))
+    v = np.zeros(3)
+    case = one_particle(tmp_path, d, dt, 10, 2, tuple(g))
+    run_engine(case, {'Sn': tuple(m * a), **({'Sp': m * k, 'U': tuple(U), 'Su': tuple(m * Su)} if ratio else {})})
+    for step in (1, 2):
+        row = engine_table(case, step * t)
+        rest = a + g + Su
+        after = U + rest / k + (v - U - rest / k) * np.exp(-k * t) if k else v + rest * t
+        assert np.abs(vectors(row, 'vx vy vz')[0] - after).max() <= 1e-6 * np.linalg.norm(after - v)
+        J = m * (after - v - (a + g) * t)
+        assert np.abs(vectors(row, 'jx jy jz')[0] - J).max() < 1e-6 * m * np.linalg.norm(rest) * t
+        v = after
+
+
+@pytest.mark.parametrize('ratio', [0, 1])
+@pytest.mark.parametrize('d', [200e-9, 20e-3])
+def test_kick_is_given_at_once(tmp_path, d, ratio):
+    """v += kick/m at the start of every step, exactly; not in what was received."""
+    m = MATERIAL['density'] * np.pi / 6 * d**3
+    dt = 1e-2 * d * (MATERIAL['density'] / MATERIAL['youngsModulus'])**0.5
+    t, k = 10 * dt, ratio / dt
+    dv = np.array([1.0, -0.3, 0.2]) * d / dt * 1e-3
+    case = one_particle(tmp_path, d, dt, 10, 2, (0, 0, 0))
+    run_engine(case, {'kick': tuple(m * dv), **({'Sp': m * k, 'U': (0, 0, 0)} if ratio else {})})
+    v = np.zeros(3)
+    for step in (1, 2):
+        row = engine_table(case, step * t)
+        after = (v + dv) * np.exp(-k * t)
+        J = m * (after - v - dv)
+        if not ratio:
+            # The engine's mass is rounded, and so is kick/m
+            assert np.abs(vectors(row, 'vx vy vz')[0] / after - 1).max() < 1e-15
+            assert np.all(vectors(row, 'jx jy jz') == 0) and row['jsp'][0] == 0
+        assert np.abs(vectors(row, 'vx vy vz')[0] - after).max() < 1e-6 * np.abs(v + dv).max() * np.exp(-k * t)
+        assert np.abs(vectors(row, 'jx jy jz')[0] - J).max() < 1e-12 * m * np.abs(dv).max()
+        # A kick is no contact
+        assert abs(row['jsp'][0] + m * np.expm1(-k * t)) < 1e-9 * m
+        v = after
+    # From the start of the step, not its end
+    assert ratio or np.abs(vectors(row, 'x y z')[0] - 50*d - 3 * dv * t).max() < 1e-12 * 50 * d
+
+
+@pytest.mark.parametrize('ratio', [0, 0.1])
+@pytest.mark.parametrize('engine', ['liggghts', 'prescribed'])
+@pytest.mark.parametrize('d', [200e-9, 20e-3])
+def test_heat_given_at_once(tmp_path, d, engine, ratio):
+    """T += heatKick/(m cp) at the start of every step; not in what was received."""
+    cp, T, Tf, dT = 700.0, 300.0, 350.0, 20.0
+    m = MATERIAL['density'] * np.pi / 6 * d**3
+    dt = 1e-2 * d * (MATERIAL['density'] / MATERIAL['youngsModulus'])**0.5
+    t, k = 10 * dt, ratio / dt
+    case = one_particle(tmp_path, d, dt, 10, 2, (0, 0, 0), {'T': T}, heat=True,
+                        materials={'glass': {**MATERIAL, 'thermalConductivity': 1.0, 'heatCapacity': cp}})
+    if engine == 'prescribed':
+        prescribe(case)
+    run_engine(case, {'heatKick': m * cp * dT, **({'Qp': m * cp * k, 'Tf': Tf} if ratio else {})})
+    for step in (1, 2):
+        row = engine_table(case, step * t)
+        after = Tf + (T + dT - Tf) * np.exp(-k * t)
+        assert abs(row['T'][0] - after) < 1e-12 * after
+        assert abs(row['q'][0] - m * cp * (after - T - dT)) < 1e-11 * m * cp * T
+        T = after
+
+
+def prescribe(case):
+    """The engine of a case replaced by the prescribed one."""
+    case.properties = {**{k: v for k, v in case.properties.items() if k not in ('contacts', 'timeStep', 'walls')},
+                       'engine': 'prescribed'}
+    case.write()
+
+
+@pytest.mark.parametrize('h', [1e-3, 1, 1e3])
+@pytest.mark.parametrize('d', [200e-9, 20e-3])
+@pytest.mark.parametrize('engine', ['liggghts', 'prescribed'])
+def test_sensitivity_is_the_difference_of_two_runs(tmp_path, engine, d, h):
+    """(J(U + dU) - J(U))/dU, to 1e-6 of it, and likewise for heat; Sp t where nothing can move the particle."""
+    cp = 700.0
+    m = MATERIAL['density'] * np.pi / 6 * d**3
+    dt = 1e-2 * d * (MATERIAL['density'] / MATERIAL['youngsModulus'])**0.5
+    t = 10 * dt
+    V = 1e-3 * d / dt
+    rows = []
+    for U, Tf in ((0.5 * V, 350), (1.5 * V, 450)):
+        case = one_particle(tmp_path / str(Tf), d, dt, 10, 1, (0, 0, -0.3 * V / t), {'vx': 0.1 * V, 'T': 300},
+                            heat=True, materials={'glass': {**MATERIAL, 'thermalConductivity': 1.0,
+                                                            'heatCapacity': cp}})
+        if engine == 'prescribed':
+            prescribe(case)
+        run_engine(case, {'Sp': h * m / t, 'U': (U, 0, 0), 'Su': (0.1 * m * V / t, 0, 0), 'Sn': (0, m * V / t, 0),
+                          'Qp': h * m * cp / t, 'Tf': Tf})
+        rows.append(engine_table(case, t)[0])
+    free = -m * np.expm1(-h)
+    slope = (rows[1]['jx'] - rows[0]['jx']) / V
+    assert abs(slope / (h * m if engine == 'prescribed' else free) - 1) < 1e-6
+    assert abs(rows[0]['jsp'] / slope - 1) < 1e-6 and abs(rows[1]['jsp'] / slope - 1) < 1e-6
+    assert abs(rows[0]['qsp'] / ((rows[1]['q'] - rows[0]['q']) / 100) - 1) < 1e-6
+    assert abs(rows[0]['qsp'] / (free * cp) - 1) < 1e-9
+
+
+@pytest.mark.parametrize('h', [0.1, 3, 1e3])
+@pytest.mark.parametrize('buoyancy', [0, 0.5])
+@pytest.mark.parametrize('d', [200e-9, 20e-3])
+def test_sensitivity_at_terminal_velocity_is_the_free_one(tmp_path, d, buoyancy, h):
+    """A particle that falls at v = (m g + Sn)/Sp from the start: no contact holds it, jsp = m (1 - exp(-h))."""
+    m = MATERIAL['density'] * np.pi / 6 * d**3
+    dt = 1e-2 * d * (MATERIAL['density'] / MATERIAL['youngsModulus'])**0.5
+    t, V = 10 * dt, 1e-2 * d / dt
+    g = V * h / t / (1 - buoyancy)
+    case = one_particle(tmp_path, d, dt, 10, 3, (0, 0, -g), {'vz': -V})
+    run_engine(case, {'Sp': h * m / t, 'U': (0, 0, 0), 'Sn': (0, 0, buoyancy * m * g)})
+    for step in (1, 2, 3):
+        row = engine_table(case, step * t)
+        assert abs(row['vz'][0] / -V - 1) < 1e-9
+        assert abs(row['jsp'][0] / (-m * np.expm1(-h)) - 1) < 1e-9
+
+
+@pytest.mark.parametrize('ranks', [1, 2])
+def test_sensitivity_of_a_bed_is_that_of_held_particles(tmp_path, ranks):
+    """Three layers at rest on each other on a floor, in a flow from below that carries half their weight: jsp -> Sp t,
+    within 5 %, and 3 times the free value."""
+    d, h, t = 4e-4, 3.0, 5e-4
+    m = MATERIAL['density'] * np.pi / 6 * d**3
+    z, y, x = (a.ravel() for a in np.meshgrid((np.arange(3) + 0.5) * d, (np.arange(5) + 0.5) * 1.0 * d,
+                                              (np.arange(10) + 0.5) * 1.0 * d, indexing='ij'))
+    case = Case(tmp_path, upper=(10 * d, 5 * d, 5 * d), cells=(4, 4, 4), cyclic='xy', deltaT=t, endTime=40 * t,
+                writeInterval=1000, timePrecision=12)
+    case.properties = properties(
+        materials={'glass': {**MATERIAL, 'youngsModulus': 5e6}},
+        walls={'floor': {'type': 'patch', 'patches': ('zMin',), 'material': 'glass'}},
+        contacts={**CONTACTS, 'default': {'restitution': 0.3, 'friction': 0.5}})
+    case.particles({'x': x, 'y': y, 'z': z, 'd': d})
+    case.mesh()
+    if ranks > 1:
+        case.decompose(ranks)
+    Sp = h * m / t
+    run_engine(case, {'Sp': Sp, 'U': (0, 0, 0.5 * m * 9.81 / Sp)}, ranks=ranks)
+    rows = engine_table(case, 40 * t)
+    assert len(rows) == 150 and np.abs(vectors(rows, 'vx vy vz')).max() < 1e-2 * 9.81 * t
+    assert np.abs(rows['jsp'] / (Sp * t) - 1).max() < 0.05
+    assert rows['jsp'].min() > 2.9 * -m * np.expm1(-h)
+
+
+def test_impulse_of_those_that_left(tmp_path):
+    """Half of a force given as Sn: the same path, and half of the impulse received by those that left; their volume."""
+    d, F = 2e-4, 2e-6
+    received = []
+    for name, forces in (('all', {'Su': (F, 0, 0)}), ('half', {'Su': (F / 2, 0, 0), 'Sn': (F / 2, 0, 0)})):
+        case = Case(tmp_path / name, upper=(4e-3,)*3, gravity=(0, 0, 0), deltaT=1e-3, endTime=1e-2, writeInterval=1000)
+        case.properties = properties(timeStep={'deltaT': 1e-6})
+        case.particles({'x': (3.7e-3, 2e-3, 3e-3), 'y': (1e-3, 2e-3, 3e-3), 'z': 2e-3, 'd': d})
+        case.mesh()
+        output = run_engine(case, {**forces, 'Sp': 1e-6, 'U': (0, 0, 0)}).output
+        lines = [line for line in output.splitlines() if line.startswith('Time =') and ' departed 1 ' in line]
+        found = [line.split(' departed 1 ')[1].replace('(', '').replace(')', '').split() for line in lines]
+        assert len(found) == 3
+        received.append(np.array(found, dtype=float))
+        assert np.allclose(received[-1][:, 1], np.pi / 6 * d**3, rtol=1e-12)
+        assert np.allclose(received[-1][:, 0], 2500 * np.pi / 6 * d**3, rtol=1e-12)
+        # Nobody stays behind the last of them: the ledger is what it received
+        totals = [np.array(line.split(' impulse (')[1].split(')')[0].split(), dtype=float) for line in lines]
+        assert np.all(np.abs(totals[-1] - received[-1][-1, 2:5]) <= 1e-12 * np.abs(totals[-1]))
+    a, b = received
+    # Drag takes its part in both: a - b = F/2 times the time until each of them left, a whole number of half sub-steps
+    halves = (a[:, 2] - b[:, 2]) / (F / 2) / 5e-7
+    assert np.all(halves > 1) and np.abs(halves - np.round(halves)).max() < 1e-6
+
+
 def cloud(n, d, seed=1):
     """n particles on a jittered lattice with random velocities: columns of a table, and the box's width."""
     rng = np.random.default_rng(seed)
@@ -210,7 +388,8 @@ def collided(path, ranks, n_steps, **control):
     case.mesh()
     if ranks > 1:
         case.decompose(ranks)
-    run_engine(case, {'Sp': 2e-6, 'U': (0.1, 0, 0.05), 'gradU': (0, 0, 300, 0, 0, 0, 0, 0, 0)}, ranks=ranks)
+    run_engine(case, {'Sp': 2e-6, 'U': (0.1, 0, 0.05), 'gradU': (0, 0, 300, 0, 0, 0, 0, 0, 0), 'Sn': (0, 1e-8, 0),
+                      'kick': (0, 0, 1e-12)}, ranks=ranks)
     return engine_table(case, 2e-5 * n_steps)
 
 
@@ -221,7 +400,7 @@ def test_one_exchange_does_not_depend_on_ranks(tmp_path, ranks):
         one = collided(tmp_path / f'one{n_steps}', 1, n_steps)
         many = collided(tmp_path / f'many{n_steps}', ranks, n_steps)
         assert np.array_equal(one['id'], many['id'])
-        for names in ('x y z', 'vx vy vz', 'wx wy wz', 'jx jy jz'):
+        for names in ('x y z', 'vx vy vz', 'wx wy wz', 'jx jy jz', 'jsp'):
             a, b = vectors(one, names), vectors(many, names)
             assert np.abs(a - b).max() < tolerance * np.abs(a).max(), names
             assert np.abs(a).max() > 0, names
@@ -285,8 +464,9 @@ def test_restart_equals_uninterrupted(tmp_path, before, after):
         assert np.abs(x - y).max() < 1e-9 * np.abs(x).max(), names
 
 
+@pytest.mark.parametrize('what', ['Su', 'Sn', 'kick', 'heatKick'])
 @pytest.mark.parametrize('ranks', [1, 2])
-def test_nan_in_a_bulk_force_is_named(tmp_path, ranks):
+def test_nan_in_a_bulk_force_is_named(tmp_path, ranks, what):
     columns, width = cloud(60, 2e-4)
     case = Case(tmp_path, upper=(width,)*3, cyclic='x', deltaT=2e-5, endTime=1e-4, writeInterval=1)
     case.properties = properties()
@@ -294,10 +474,10 @@ def test_nan_in_a_bulk_force_is_named(tmp_path, ranks):
     case.mesh()
     if ranks > 1:
         case.decompose(ranks)
-    case.write_file('constant/testProperties', 'poison 3;\n')
+    case.write_file('constant/testProperties', f'poison 3; poisoned {what};\n')
     result = case.run('testEngine', ranks=ranks, timeout=30)
     assert result.code != 0
-    assert 'not a finite' in result.output and 'force' in result.output
+    assert 'not a finite' in result.output and 'force' in result.output and 'of particle ' in result.output
     assert '6e-05' in result.output
     assert not (case.path / '6e-05').exists()
 
@@ -317,6 +497,122 @@ def test_prescribed_particles_on_a_path(tmp_path):
     assert np.allclose(rows['x'], np.mod(np.array([1e-3, 9e-3]) + 2e-2 + 1e-4, 1e-2), rtol=1e-9)
     assert np.allclose(rows['jx'], 2e-6 * (5 - v) * 1e-3, rtol=1e-12)
     assert np.allclose(rows['jz'], 1e-8, rtol=1e-12)
+
+
+def warmed(path, end):
+    """Two prescribed particles in a warm fluid."""
+    case = Case(path, upper=(1e-2,)*3, cyclic='x', deltaT=1e-2, endTime=end, writeInterval=5, timePrecision=12)
+    case.properties = {'engine': 'prescribed', 'heat': True, 'coupling': {'read': 'elsewhere'},
+                       'materials': {'glass': {**MATERIAL, 'thermalConductivity': 1.0, 'heatCapacity': 700.0}},
+                       'insertion': properties()['insertion'], 'velocity': 'constant (0.01 0 0)'}
+    case.particles({'x': [1e-3, 9e-3], 'y': 5e-3, 'z': [2e-3, 8e-3], 'd': [1e-3, 2e-3], 'T': [300.0, 320.0]})
+    case.mesh()
+    return case
+
+
+@pytest.mark.parametrize('before, after', [(1, 1), (1, 2), (2, 1), (2, 2)])
+def test_prescribed_temperature_and_its_restart(tmp_path, before, after):
+    """m cp dT/dt = Qp (Tf - T) + Qu: the exponential, to 1e-12, also across a restart on other ranks."""
+    Qp, Tf, Qu, d = 2e-2, 400.0, 0.5, np.array([1e-3, 2e-3])
+    mc = MATERIAL['density'] * np.pi / 6 * d**3 * 700.0
+    forces = {'Qp': Qp, 'Tf': Tf, 'Qu': Qu}
+
+    def temperature(t):
+        return Tf + Qu / Qp + (np.array([300.0, 320.0]) - Tf - Qu / Qp) * np.exp(-Qp * t / mc)
+
+    case = warmed(tmp_path, 5e-2)
+    if before > 1:
+        case.decompose(before)
+    run_engine(case, forces, ranks=before)
+    rows = engine_table(case, 5e-2)
+    assert np.abs(rows['T'] / temperature(5e-2) - 1).max() < 1e-12
+    assert np.abs(rows['q'] / (mc * (temperature(5e-2) - temperature(4e-2))) - 1).max() < 1e-10
+
+    # The restart moves with the case; no file but it knows the temperature
+    if before > 1 and after == 1:
+        (case.path / 'processor0/0.05/uniform').rename(case.path / '0.05/uniform')
+    if before == 1 and after > 1:
+        case.decompose(after)
+        for rank in range(after):
+            (case.path / f'processor{rank}/0.05').mkdir(exist_ok=True)
+    case.control['endTime'] = 0.1
+    case.write()
+    run_engine(case, forces, ranks=after)
+    rows = engine_table(case, 0.1)
+    assert np.abs(rows['T'] / temperature(0.1) - 1).max() < 1e-12
+    assert np.all(np.diff(temperature(0.1) - temperature(0.05)) != 0) and len(rows) == 2
+
+
+def test_prescribed_restart_with_other_particles_is_refused(tmp_path):
+    case = warmed(tmp_path, 5e-2)
+    run_engine(case, {})
+    case.particles({'x': [1e-3, 9e-3, 5e-3], 'y': 5e-3, 'z': [2e-3, 8e-3, 5e-3], 'd': 1e-3, 'T': 300.0})
+    case.control['endTime'] = 0.1
+    case.write()
+    result = case.run('testEngine')
+    assert result.code != 0 and result.output.count('FATAL') == 1
+    assert 'temperature of 1 particles' in result.output and 'insertion' in result.output
+
+
+def recorded(path):
+    """20,000 particles (three chunks of a record) whose record has been written on one rank; the record."""
+    n = 20000
+    i = np.arange(n)
+    case = Case(path, upper=(1e-2,)*3, deltaT=1e-3, endTime=1e-3, writeInterval=1000)
+    case.properties = {'engine': 'prescribed', 'materials': {'glass': MATERIAL},
+                       'insertion': properties()['insertion']}
+    case.particles({'x': (i % 28 + 0.5) * 3.5e-4, 'y': (i // 28 % 28 + 0.5) * 3.5e-4, 'z': (i // 784 + 0.5) * 3.5e-4,
+                    'd': 1e-4 * (1 + i / n)})
+    case.mesh()
+    return case
+
+
+def test_particle_record_on_any_ranks_and_its_damages(tmp_path):
+    """Written on 1, 2, 3 ranks and read on others, every value is back; each damage ends with one message."""
+    case = recorded(tmp_path)
+    for wrote, reads in ((1, 3), (3, 2), (2, 1)):
+        for ranks, key in ((wrote, 'recordWrite'), (reads, 'recordRead')):
+            if ranks > 1:
+                case.decompose(ranks)
+            output = run_engine(case, {key: quoted(case.path / f'record{wrote}')}, ranks=ranks).output
+        assert 'Record: found 20000 same 20000\n' in output
+
+    good = (case.path / 'record1').read_bytes()
+    assert len(good) == 32 + 20000 * 40 + 8
+    damages = {'missing': (None, 'No file'),
+               'empty': (b'', 'header'),
+               'cut': (good[:-1000], 'not the length'),
+               'longer': (good + b'x', 'not the length'),
+               'byte': (good[:500000] + bytes([good[500000] ^ 1]) + good[500001:], 'checksum'),
+               'crc': (good[:-8] + bytes([good[-8] ^ 1]) + good[-7:], 'checksum'),
+               'magic': (b'x' + good[1:], 'header'),
+               'count': (good[:16] + bytes([good[16] ^ 1]) + good[17:], 'not the length'),
+               'components': (good[:24] + bytes([3]) + good[25:], '3 values a particle instead of 4')}
+    for ranks in (1, 2):
+        for what, (content, word) in damages.items():
+            path = case.path / f'damaged-{what}'
+            if content is not None:
+                path.write_bytes(content)
+            case.write_file('constant/testProperties', f'recordRead "{path}";\n')
+            result = case.run('testEngine', ranks=ranks, timeout=30)
+            assert result.code != 0 and result.output.count('FATAL') == 1, (what, result.output)
+            for part in (str(path), word, 'Start from an earlier time'):
+                assert part in result.output, (what, result.output)
+
+    case.write_file('constant/testProperties', f'recordWrite "{case.path}/nowhere/record";\n')
+    result = case.run('testEngine')
+    assert result.code != 0 and 'Cannot write' in result.output and 'nowhere/record' in result.output
+
+
+def test_stability_limit_of_the_sub_step(tmp_path):
+    """Hertz: the Rayleigh time of the smallest particle, pi R sqrt(rho/G)/(0.1631 nu + 0.8766); `coupling` is valid."""
+    case = one_particle(tmp_path, 1e-3, 1e-7, 10, 1, (0, 0, 0), coupling={'read': 'elsewhere'})
+    output = run_engine(case, {}).output
+    G = MATERIAL['youngsModulus'] / (2 * (1 + 0.3))
+    limit = np.pi * 0.5e-3 * (MATERIAL['density'] / G)**0.5 / (0.1631 * 0.3 + 0.8766)
+    found = next(line.split()[-1] for line in output.splitlines() if line.startswith('Stable sub-step'))
+    assert abs(float(found) / limit - 1) < 1e-12
+    assert 'Stable sub-step 0\n' in run_engine(warmed(tmp_path / 'prescribed', 1e-2), {}).output
 
 
 def falling_on(path, motion, gravity, end, columns, contacts=None, **more):

@@ -4,7 +4,7 @@ import re
 import numpy as np
 
 import bed
-from dewCase import Case, quoted
+from dewCase import Case, foam_dict, quoted
 
 
 def small():
@@ -48,6 +48,26 @@ def test_native_input_is_the_plain_program(tmp_path):
         if name in 'xy':
             difference -= bed.WIDTH * np.round(difference / bed.WIDTH)
         assert np.abs(difference).max() < 1e-9, name
+
+
+def test_gravity_of_a_native_input_is_no_contact(tmp_path):
+    """Particles that fall at their terminal velocity m g/Sp: their sensitivity is the free one."""
+    h, t = 3.0, 100 * bed.DT
+    m = 2500 * np.pi / 6 * bed.D**3
+    zero = np.zeros(2)
+    columns = {'x': np.array([0.01, 0.03]), 'y': zero + 0.02, 'z': zero + 0.1, 'd': zero + bed.D, 'vx': zero,
+               'vy': zero, 'vz': zero - 9.81 * t / h, 'wx': zero, 'wy': zero, 'wz': zero}
+    bed.write_plain(tmp_path / 'plain', columns, '')
+    case = bed.case(tmp_path / 'ours', columns, deltaT=t, endTime=3 * t)
+    case.properties = {'engine': 'liggghts', 'input': quoted(tmp_path / 'plain/in.common'),
+                       'timeStep': {'deltaT': bed.DT}, 'output': ()}
+    case.mesh()
+    case.write_file('constant/testProperties', foam_dict({'Sp': h * m / t, 'U': (0, 0, 0)}) + '\n')
+    done = case.run('testEngine')
+    assert done.code == 0, done.output
+    rows = np.genfromtxt(case.path / '0.003' / 'engine.csv', delimiter=',', names=True)
+    assert np.abs(rows['vz'] * h / (9.81 * t) + 1).max() < 1e-9
+    assert np.abs(rows['jsp'] / (-m * np.expm1(-h)) - 1).max() < 1e-9
 
 
 def test_own_commands_follow_the_generated_ones(tmp_path):
