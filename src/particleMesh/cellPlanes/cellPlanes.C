@@ -124,6 +124,8 @@ void Foam::dew::cellPlanes::correct()
     const vectorField& Cf = mesh_.faceCentres();
     const vectorField& Sf = mesh_.faceAreas();
 
+    findCrossings();
+
     start_.setSize(nCells + 1);
     start_[0] = 0;
     for (label celli = 0; celli < nCells; celli++)
@@ -158,7 +160,12 @@ void Foam::dew::cellPlanes::correct()
                 plane.warp = 0;
             }
 
-            plane.offset += 1e-9*std::sqrt(area)*keeper(plane.n);
+            // Nobody else takes what is on the outer boundary
+            const bool outer =
+                facei >= mesh_.nInternalFaces() && beyond(facei).rank < 0;
+
+            plane.offset +=
+                1e-9*std::sqrt(area)*(outer ? 1 : keeper(plane.n));
             if (!owner)
             {
                 plane.n = -plane.n;
@@ -171,8 +178,6 @@ void Foam::dew::cellPlanes::correct()
               : mesh_.faceOwner()[facei];
         }
     }
-
-    findCrossings();
 
     maxSteps_ = 20 + 8*label(std::cbrt(scalar(nCells)));
 }

@@ -268,7 +268,7 @@ void Foam::dew::hostCells::correct(const UList<point>& x)
 std::size_t Foam::dew::hostCells::bytes() const
 {
     return
-        planes_.bytes() + map_.bytes() + guess_.byteSize()
+        map_.bytes() + guess_.size()*sizeof(host)
       + keys_.capacity()*sizeof(particleKey)
       + cells_.capacity()*sizeof(label);
 }

@@ -257,7 +257,7 @@ Foam::scalar Foam::dew::particleMesh::largestShare
 std::size_t Foam::dew::particleMesh::bytes() const
 {
     return
-        hosts_.bytes() + guests_.bytes() + x_.byteSize()
+        hosts_.bytes() + guests_.bytes() + x_.size()*sizeof(point)
       + (start_.capacity() + cell_.capacity())*sizeof(label)
       + weight_.capacity()*sizeof(scalar);
 }
