@@ -60,7 +60,7 @@ TEST(impulseSensitivity, heldShare)
     EXPECT_EQ(heldShare(m, v0, v4, J, G), 1);
 
     // At terminal velocity, fast: what is left of B and C is round-off
-    const double fast[] = {0, 0, -1e3}, fast2[] = {0, 0, -1e3*(1 + 1e-15)};
+    const double fast[] = {0, 0, -1e3}, fast2[] = {0, 0, -1e3*(1 - 1e-15)};
     const double up[] = {0, 0, 4*(1 - 1e-13)};
     EXPECT_EQ(heldShare(m, fast, fast2, up, G), 0);
 

@@ -399,7 +399,8 @@ void Foam::dew::particleEngine::account()
             << "Particle " << state_.id[bad] << " is not finite at time "
             << mesh_.time().timeName() << nl
             << "position " << state_.x[bad] << " velocity " << state_.v[bad]
-            << nl << "Look for a time step, a force or a velocity that is too large"
+            << " impulse received " << state_.impulse[bad] << nl
+            << "Look for a time step, a force or a velocity that is too large"
             << exit(FatalError);
     }
 

@@ -45,8 +45,9 @@ Foam::label Foam::dew::particleState::findNotFinite() const
           + impulseSp[i]
           + (thermal ? mag(T[i]) + mag(heat[i]) + heatSp[i] : 0);
 
-        // Squares of what passes are finite, too
-        if (!(sum < 1e100))
+        // Squares of what passes are finite, too. Unlike <, isless does not
+        // end in a trap for a NaN
+        if (!std::isless(sum, 1e100))
         {
             return i;
         }

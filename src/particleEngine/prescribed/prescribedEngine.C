@@ -125,7 +125,8 @@ void Foam::dew::prescribedEngine::readTemperatures()
     }
     reduce(missing, sumOp<label>());
 
-    if (missing)
+    // One message: it ends the run on all ranks
+    if (missing && Pstream::master())
     {
         FatalIOErrorInFunction(restart_)
             << "No temperature of " << missing << " particles in " << path

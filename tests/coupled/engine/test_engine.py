@@ -543,15 +543,27 @@ def test_prescribed_temperature_and_its_restart(tmp_path, before, after):
     assert np.all(np.diff(temperature(0.1) - temperature(0.05)) != 0) and len(rows) == 2
 
 
-def test_prescribed_restart_with_other_particles_is_refused(tmp_path):
+@pytest.mark.parametrize('ranks', [1, 2])
+def test_prescribed_restart_with_other_particles_is_refused(tmp_path, ranks):
     case = warmed(tmp_path, 5e-2)
-    run_engine(case, {})
+    if ranks > 1:
+        case.decompose(ranks)
+    run_engine(case, {}, ranks=ranks)
     case.particles({'x': [1e-3, 9e-3, 5e-3], 'y': 5e-3, 'z': [2e-3, 8e-3, 5e-3], 'd': 1e-3, 'T': 300.0})
     case.control['endTime'] = 0.1
     case.write()
-    result = case.run('testEngine')
+    result = case.run('testEngine', ranks=ranks)
     assert result.code != 0 and result.output.count('FATAL') == 1
     assert 'temperature of 1 particles' in result.output and 'insertion' in result.output
+
+
+@pytest.mark.parametrize('what', ['Su', 'heatKick'])
+def test_nan_for_a_prescribed_particle_is_named(tmp_path, what):
+    case = warmed(tmp_path, 5e-2)
+    case.write_file('constant/testProperties', f'poison 3; poisoned {what};\n')
+    result = case.run('testEngine', timeout=30)
+    assert result.code != 0 and result.output.count('FATAL') == 1
+    assert 'Particle 1 is not finite at time 0.03' in result.output
 
 
 def recorded(path):
