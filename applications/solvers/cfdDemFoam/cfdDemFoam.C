@@ -31,7 +31,7 @@ Description
 Usage
     \verbatim
     cfdDemFoam                      # in the case directory
-    cfdDemFoam -dry-run             # set up and check, then end
+    cfdDemFoam -check               # set up and check, then end
     mpirun -np 2 cfdDemFoam -parallel
     \endverbatim
 \*---------------------------------------------------------------------------*/
@@ -62,7 +62,7 @@ int main(int argc, char *argv[])
     );
     argList::addBoolOption
     (
-        "dry-run",
+        "check",
         "set up the case, print the checks and end"
     );
 
@@ -79,9 +79,9 @@ int main(int argc, char *argv[])
     dew::couplingCheck check(mesh, particles, exchange);
 
     check.print();
-    if (args.found("dry-run"))
+    if (args.found("check"))
     {
-        Info<< "End of the dry run\n" << endl;
+        Info<< "End of the check\n" << endl;
         return 0;
     }
 

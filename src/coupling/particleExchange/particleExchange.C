@@ -119,7 +119,18 @@ Foam::dew::particleExchange::particleExchange
     ),
     laws_(dict_),
     map_(mesh, voidFraction_->stencil()),
-    alphac_(voidFractionField(mesh)),
+    alphac_
+    (
+        IOobject
+        (
+            "alphac",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        voidFractionField(mesh)
+    ),
     momentum_(dict_, map_, fluid.U),
     kicked_(false),
     ledger_(mesh.time()),
@@ -184,7 +195,8 @@ Foam::dew::particleExchange::voidFractionField(const fvMesh& mesh)
         mesh.time().timeName(),
         mesh,
         IOobject::READ_IF_PRESENT,
-        IOobject::AUTO_WRITE
+        IOobject::NO_WRITE,
+        false
     );
 
     if (io.typeHeaderOk<volScalarField>(true))
