@@ -350,7 +350,7 @@ void Foam::dew::particleExchange::checkFinite() const
 
 void Foam::dew::particleExchange::gatherCarriers()
 {
-    const volVectorField& U = fluid_.U;
+    const volVectorField& U = fluid_.Uc;
     const vectorField& gradp = fluid_.gradp;
     const vectorField& C = mesh_.C();
     const bool shared = laws_.model() == particleForceList::models::A;
@@ -604,7 +604,23 @@ Foam::dew::particleExchange::pressureShare
 {
     if (laws_.model() == particleForceList::models::A)
     {
-        return alphacf;
+        tmp<surfaceScalarField> share
+        (
+            new surfaceScalarField("pressureShare", alphacf)
+        );
+
+        // The pressure at an open boundary is that just inside
+        for (fvsPatchScalarField& patch : share.ref().boundaryFieldRef())
+        {
+            if (!patch.patch().coupled())
+            {
+                patch ==
+                    alphac_.boundaryField()[patch.patch().index()]
+                   .patchInternalField();
+            }
+        }
+
+        return share;
     }
 
     return tmp<surfaceScalarField>::New
