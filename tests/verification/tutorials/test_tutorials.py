@@ -51,7 +51,8 @@ def test_validate_notices_a_wrong_restitution(tmp_path):
     # The air conducts 2 % better
     ('hotSphere', 'common/constant/transportProperties', 'kappa           0.026', 'kappa           0.0265'),
     # Spheres that move faster than they should
-    ('voidFraction', 'common/constant/particleProperties', '(0.1 0.2 0.2)', '(0.1 0.2 0.21)')])
+    ('voidFraction', 'common/constant/particleProperties', '(0.1 0.2 0.2)', '(0.1 0.2 0.21)')],
+    ids=['settlingSphere', 'hotSphere', 'voidFraction'])
 def test_validate_notices_a_wrong_dictionary(tmp_path, name, file, right, wrong):
     case = fresh(tmp_path / 'case', f'cfdDemFoam/{name}')
     path = case / file
