@@ -110,14 +110,15 @@ int main(int argc, char *argv[])
         {
             #include "UEqn.H"
 
-            if (energy)
-            {
-                #include "TEqn.H"
-            }
-
             while (pimple.correct())
             {
                 #include "pEqn.H"
+            }
+
+            // With the flux that continuity has made: heat is conserved
+            if (energy)
+            {
+                #include "TEqn.H"
             }
 
             if (pimple.turbCorr())

@@ -176,6 +176,7 @@ Foam::dew::particleExchange::particleExchange
     }
     ledger_.thermal = bool(heat_);
 
+
     findMap();
     checkSize();
     occupy();

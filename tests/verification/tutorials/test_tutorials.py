@@ -8,13 +8,21 @@ from dewCase import ROOT, run_command
 TUTORIALS = ROOT / 'tutorials'
 
 
+def left(folder, names):
+    """What earlier runs have left"""
+    patterns = ['R[0-9]*', '[0-9]*', '*.png', '__pycache__', 'runs']
+    if folder.endswith('settlingSphere'):
+        patterns += ['oneWay', 'twoWay']
+    return shutil.ignore_patterns(*patterns)(folder, names) - {'0.orig'}
+
+
 def fresh(path, name):
-    # Without what earlier runs have left
-    shutil.copytree(TUTORIALS / name, path, ignore=shutil.ignore_patterns('R[0-9]*', '[0-9]*', '*.png', '__pycache__'))
+    shutil.copytree(TUTORIALS / name, path, ignore=left)
     return path
 
 
-@pytest.mark.parametrize('name', ['demFoam/collisions', pytest.param('demFoam/packing', marks=pytest.mark.slow)])
+@pytest.mark.parametrize('name', ['demFoam/collisions', pytest.param('demFoam/packing', marks=pytest.mark.slow),
+                                  'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction'])
 def test_runs_and_validates(tmp_path, name):
     case = fresh(tmp_path / 'case', name)
     done = run_command(['./Allrun'], case, 1200)
@@ -32,6 +40,27 @@ def test_validate_notices_a_wrong_restitution(tmp_path):
     assert 'restitution     0.75' in text
     path.write_text(text.replace('restitution     0.75', 'restitution     0.70'))
     done = run_command(['./Allrun', '20um'], case, 300)
+    assert done.code == 0, done.output[-3000:]
+    done = run_command(['./validate'], case, 120)
+    assert done.code != 0 and 'FAIL' in done.output.splitlines()[-1]
+
+
+@pytest.mark.parametrize('name, file, right, wrong', [
+    # Drag too small by 2 %
+    ('settlingSphere', 'common/constant/transportProperties', 'nu              1e-5', 'nu              0.98e-5'),
+    # The air conducts 2 % better
+    ('hotSphere', 'common/constant/transportProperties', 'kappa           0.026', 'kappa           0.0265'),
+    # Spheres that move faster than they should
+    ('voidFraction', 'common/constant/particleProperties', '(0.1 0.2 0.2)', '(0.1 0.2 0.21)')],
+    ids=['settlingSphere', 'hotSphere', 'voidFraction'])
+def test_validate_notices_a_wrong_dictionary(tmp_path, name, file, right, wrong):
+    case = fresh(tmp_path / 'case', f'cfdDemFoam/{name}')
+    path = case / file
+    text = path.read_text()
+    assert right in text
+    path.write_text(text.replace(right, wrong))
+    only = {'settlingSphere': 'SchillerNaumann', 'hotSphere': 'still', 'voidFraction': 'particleCentre'}[name]
+    done = run_command(['./Allrun', only], case, 300)
     assert done.code == 0, done.output[-3000:]
     done = run_command(['./validate'], case, 120)
     assert done.code != 0 and 'FAIL' in done.output.splitlines()[-1]
