@@ -165,6 +165,9 @@ Foam::dew::particleExchange::particleExchange
     }
     ledger_.thermal = bool(heat_);
 
+    // Its copy out of the tmp is one that nobody writes
+    alphac_.writeOpt() = IOobject::AUTO_WRITE;
+
     findMap();
     checkSize();
     occupy();
