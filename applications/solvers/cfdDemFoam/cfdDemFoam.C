@@ -45,6 +45,7 @@ Usage
 #include "singlePhaseTransportModel.H"
 
 #include "couplingCheck.H"
+#include "evaluateCoupled.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
 #include "particleOutput.H"
