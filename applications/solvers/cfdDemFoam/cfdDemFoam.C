@@ -42,6 +42,7 @@ Usage
 #include "fvOptions.H"
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "pimpleControl.H"
+#include "sigFpe.H"
 #include "singlePhaseTransportModel.H"
 
 #include "couplingCheck.H"
@@ -69,7 +70,25 @@ int main(int argc, char *argv[])
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
-    #include "createDynamicFvMesh.H"
+
+    // The exchange looks for NaN, and says where; a trap would only end
+    sigFpe::unset();
+
+    // Not by createDynamicFvMesh.H: its own dry-run makes another mesh
+    Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
+    autoPtr<dynamicFvMesh> meshPtr
+    (
+        dynamicFvMesh::New
+        (
+            IOobject
+            (
+                dynamicFvMesh::defaultRegion, runTime.timeName(), runTime,
+                IOobject::MUST_READ
+            )
+        )
+    );
+    dynamicFvMesh& mesh = meshPtr();
+
     #include "createControl.H"
     #include "createTimeControls.H"
     #include "createFields.H"
@@ -116,9 +135,12 @@ int main(int argc, char *argv[])
                 #include "TEqn.H"
             }
 
+            // Each time: a solver cannot go on from a residual that is NaN
+            exchange.checkFinite();
             while (pimple.correct())
             {
                 #include "pEqn.H"
+                exchange.checkFinite();
             }
 
             if (pimple.turbCorr())

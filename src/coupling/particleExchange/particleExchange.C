@@ -57,7 +57,15 @@ void findNotFinite
 
     forAll(values, celli)
     {
-        if (!(Foam::mag(values[celli]) < Foam::VGREAT))
+        // Not by a comparison, which a trap would end without a message
+        bool finite = true;
+        for (Foam::direction k = 0; k < Foam::pTraits<Type>::nComponents; k++)
+        {
+            finite =
+                finite && std::isfinite(Foam::component(values[celli], k));
+        }
+
+        if (!finite)
         {
             FatalErrorInFunction
                 << "Field " << field.name() << " is not finite in cell "
