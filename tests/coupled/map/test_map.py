@@ -10,7 +10,7 @@ import re
 import numpy as np
 import pytest
 
-from dewCase import foam_dict, foam_value
+from dewCase import foam_dict, foam_value, quoted
 from fluidCase import FluidCase
 
 # Ranks and decompositions; scotch is part of the installation
@@ -302,3 +302,79 @@ def test_curved_field_is_seen_to_second_order(tmp_path):
     assert worst[0] > 1e-3
     for coarse, fine in zip(worst, worst[1:]):
         assert 3.2 < coarse / fine < 5
+
+
+# --- A mesh that moves
+
+def moving(path, **keywords):
+    """The box of the tests above in cfdDemFoam: prescribed particles, at rest, in a gas; 10 steps of 1 ms."""
+    upper, n = (4e-3, 3e-3, 2e-3), (8, 6, 4)
+    case = MapCase(path, rho=1.2, nu=1.5e-5, upper=upper, cells=n, deltaT=1e-3, endTime=1e-2, writeInterval=1,
+                   gravity=(0, 0, 0), **keywords)
+    # What the mesh covers at all times
+    x = np.random.default_rng(9).uniform(0.3, 0.7, (60, 3)) * upper
+    d = np.full(60, 2e-4)
+    case.particles({'x': x[:, 0], 'y': x[:, 1], 'z': x[:, 2], 'd': d})
+    case.properties = {
+        'engine': 'prescribed', 'materials': {'glass': {'youngsModulus': 1e7, 'poissonsRatio': 0.3, 'density': 2500}},
+        'insertion': {'some': {'type': 'file', 'file': quoted('constant/particles.csv'), 'material': 'glass'}},
+        'overlapTolerance': 1.9, 'output': ('csv',), 'coupling': case.coupling('Stokes')}
+    case.patches['U'] = {s: {'type': 'movingWallVelocity', 'value': 'uniform (0 0 0)'}
+                         for s in ('xMin', 'xMax', 'yMin', 'yMax', 'zMin', 'zMax')}
+    return case, x, d, upper, n
+
+
+def check_moved(case, x, d, n, ranks, box):
+    """alphac by the formula in the box (lower, upper) of every time; volume conserved; small continuity errors."""
+    done = case.run('cfdDemFoam', ranks=ranks)
+    assert done.code == 0, done.output
+    total = np.sum(np.pi / 6 * d**3)
+    ledger = case.ledger()
+    assert len(ledger) == 10
+    assert np.abs(ledger['represented'] / total - 1).max() < 1e-12      # 1 - alphac of 1e-2 is good to 1e-14
+    errors = [float(v) for v in re.findall(r'sum local = (\S+),', done.output)]
+    assert len(errors) == 20 and max(errors) < 1e-8, max(errors)
+    for k, time in enumerate(case.times('.' if ranks == 1 else 'processor0')):
+        lower, upper = box((k + 1) * 1e-3)
+        size = upper - lower
+        solid = shared_volume(x - lower, d, size, n, '')
+        expected = 1 - solid / np.prod(size / n)
+        alphac = case.joined_field('alphac', time, ranks).reshape(n[::-1]).transpose(2, 1, 0)
+        assert np.abs(alphac - expected).max() < 1e-10, time
+    assert np.abs(solid - shared_volume(x, d, np.array(case.upper), n, '')).max() > 0.1 * solid.max()
+
+
+@pytest.mark.parametrize('ranks', [1, 2])
+def test_mesh_moves_past_particles(tmp_path, ranks):
+    """A stock solid-body motion at 0.1 m/s along a slant, 1 mm in all, two cells; the gas moves along."""
+    case, x, d, upper, n = moving(tmp_path)
+    velocity = np.array([0.1, -0.05, 0.02])
+    case.fields['U'] = foam_value(velocity)
+    case.mesh()
+    case.write_dict('constant/dynamicMeshDict', {
+        'dynamicFvMesh': 'dynamicMotionSolverFvMesh', 'motionSolver': 'solidBody',
+        'solidBodyMotionFunction': 'linearMotion', 'velocity': velocity})
+    if ranks > 1:
+        case.decompose(ranks)
+    check_moved(case, x, d, n, ranks, lambda t: (velocity * t, np.array(upper) + velocity * t))
+
+
+def test_mesh_is_squeezed(tmp_path):
+    """A side moves in by 0.4 sin(50 t) mm, all cells become thinner by the same share; the gas leaves at the other."""
+    case, x, d, upper, n = moving(tmp_path)
+    case.patches['U']['xMin'] = {'type': 'pressureInletOutletVelocity', 'value': 'uniform (0 0 0)'}
+    case.patches['p'] = {'xMin': {'type': 'fixedValue', 'value': 'uniform 0'}}
+    case.mesh()
+    path = case.path / 'system/fvSolution'
+    path.write_text(path.read_text().replace('"p.*"', '"(p.*|cellDisplacement)"'))
+    case.write_dict('constant/dynamicMeshDict', {
+        'dynamicFvMesh': 'dynamicMotionSolverFvMesh', 'motionSolverLibs': '("libfvMotionSolvers.so")',
+        'motionSolver': 'displacementLaplacian', 'displacementLaplacianCoeffs': {'diffusivity': 'uniform'}})
+    boundary = {s: {'type': 'slip'} for s in ('yMin', 'yMax', 'zMin', 'zMax')}
+    boundary['xMin'] = {'type': 'fixedValue', 'value': 'uniform (0 0 0)'}
+    boundary['xMax'] = {'type': 'oscillatingDisplacement', 'amplitude': (-4e-4, 0, 0), 'omega': 50,
+                        'value': 'uniform (0 0 0)'}
+    case.write_dict('0/pointDisplacement', {'dimensions': '[0 1 0 0 0 0 0]', 'internalField': 'uniform (0 0 0)',
+                                            'boundaryField': boundary}, 'pointVectorField')
+    check_moved(case, x, d, n, 1,
+                lambda t: (np.zeros(3), np.array(upper) - [4e-4 * np.sin(50 * t), 0, 0]))
