@@ -31,7 +31,9 @@ namespace dew
 namespace
 {
 
-//- Gradient that is exact for linear fields on any mesh, at any scale
+//- Gradient that is exact for linear fields on any mesh, at any scale; at a
+//  boundary that a cell is not right in front of, its values count as those of
+//  the point opposite the cell's centre (fvPatch::delta)
 template<class Type>
 auto linearGradient
 (
