@@ -76,6 +76,29 @@ class FluidCase(Case):
         self.write_dict(f'0/{name}', {'dimensions': DIMENSIONS[name], 'internalField': internal,
                                       'boundaryField': boundary}, kind)
 
+    def decompose(self, ranks, method='simple'):
+        """Cut the mesh: simple along x, hierarchical along y first, or scotch."""
+        split = (ranks, 1, 1) if ranks < 4 else (2, 2, 1)
+        self.write_dict('system/decomposeParDict', {
+            'numberOfSubdomains': ranks, 'method': method,
+            'simpleCoeffs': {'n': (ranks, 1, 1), 'delta': 1e-3},
+            'hierarchicalCoeffs': {'n': split, 'delta': 1e-3, 'order': 'yxz'}})
+        self._must('decomposePar', '-force')
+
+    def joined_field(self, name, time, ranks):
+        """Internal values of an ascii field of a run on some ranks, in the order of the whole mesh."""
+        if ranks == 1:
+            return self.field(name, time)
+        parts, cells = [], []
+        for rank in range(ranks):
+            folder = self.path / f'processor{rank}'
+            text = (folder / 'constant/polyMesh/cellProcAddressing').read_text()
+            cells.append(np.array(re.search(r'\n\d+\s*\(([\d\s]*)\)', text)[1].split(), dtype=int))
+            values = self.field(name, time, folder.name)
+            uniform = len(values) != len(cells[-1])
+            parts.append(np.broadcast_to(values, (len(cells[-1]),) + values.shape).squeeze() if uniform else values)
+        return np.concatenate(parts)[np.argsort(np.concatenate(cells))]
+
     def ledger(self, start='0'):
         """The balance of every step, a structured array with the columns LEDGER."""
         rows = np.loadtxt(self.path / 'postProcessing' / 'exchange' / start / 'ledger.dat', ndmin=2)

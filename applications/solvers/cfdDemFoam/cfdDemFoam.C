@@ -31,7 +31,7 @@ Description
 Usage
     \verbatim
     cfdDemFoam                      # in the case directory
-    cfdDemFoam -check               # set up and check, then end
+    cfdDemFoam -dry-run             # set up and check, then end
     mpirun -np 2 cfdDemFoam -parallel
     \endverbatim
 \*---------------------------------------------------------------------------*/
@@ -42,9 +42,11 @@ Usage
 #include "fvOptions.H"
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "pimpleControl.H"
+#include "sigFpe.H"
 #include "singlePhaseTransportModel.H"
 
 #include "couplingCheck.H"
+#include "evaluateCoupled.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
 #include "particleOutput.H"
@@ -62,13 +64,31 @@ int main(int argc, char *argv[])
     );
     argList::addBoolOption
     (
-        "check",
+        "dry-run",
         "set up the case, print the checks and end"
     );
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
-    #include "createDynamicFvMesh.H"
+
+    // The exchange looks for NaN, and says where; a trap would only end
+    sigFpe::unset();
+
+    // Not by createDynamicFvMesh.H: its own dry-run makes another mesh
+    Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
+    autoPtr<dynamicFvMesh> meshPtr
+    (
+        dynamicFvMesh::New
+        (
+            IOobject
+            (
+                dynamicFvMesh::defaultRegion, runTime.timeName(), runTime,
+                IOobject::MUST_READ
+            )
+        )
+    );
+    dynamicFvMesh& mesh = meshPtr();
+
     #include "createControl.H"
     #include "createTimeControls.H"
     #include "createFields.H"
@@ -79,9 +99,9 @@ int main(int argc, char *argv[])
     dew::couplingCheck check(mesh, particles, exchange);
 
     check.print();
-    if (args.found("check"))
+    if (args.found("dry-run"))
     {
-        Info<< "End of the check\n" << endl;
+        Info<< "End of the dry run\n" << endl;
         return 0;
     }
 
@@ -110,9 +130,12 @@ int main(int argc, char *argv[])
         {
             #include "UEqn.H"
 
+            // Each time: a solver cannot go on from a residual that is NaN
+            exchange.checkFinite();
             while (pimple.correct())
             {
                 #include "pEqn.H"
+                exchange.checkFinite();
             }
 
             // With the flux that continuity has made: heat is conserved

@@ -31,7 +31,9 @@ namespace dew
 namespace
 {
 
-//- Gradient that is exact for linear fields on any mesh, at any scale
+//- Gradient that is exact for linear fields on any mesh, at any scale; at a
+//  boundary that a cell is not right in front of, its values count as those of
+//  the point opposite the cell's centre (fvPatch::delta)
 template<class Type>
 auto linearGradient
 (
@@ -57,7 +59,15 @@ void findNotFinite
 
     forAll(values, celli)
     {
-        if (!(Foam::mag(values[celli]) < Foam::VGREAT))
+        // Not by a comparison, which a trap would end without a message
+        bool finite = true;
+        for (Foam::direction k = 0; k < Foam::pTraits<Type>::nComponents; k++)
+        {
+            finite =
+                finite && std::isfinite(Foam::component(values[celli], k));
+        }
+
+        if (!finite)
         {
             FatalErrorInFunction
                 << "Field " << field.name() << " is not finite in cell "
@@ -175,7 +185,6 @@ Foam::dew::particleExchange::particleExchange
         heat_.reset(new heatExchange(dict_, map_, *fluid_.T));
     }
     ledger_.thermal = bool(heat_);
-
 
     findMap();
     checkSize();
