@@ -70,25 +70,7 @@ int main(int argc, char *argv[])
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
-
-    // The exchange looks for NaN, and says where; a trap would only end
-    sigFpe::unset();
-
-    // Not by createDynamicFvMesh.H: its own dry-run makes another mesh
-    Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
-    autoPtr<dynamicFvMesh> meshPtr
-    (
-        dynamicFvMesh::New
-        (
-            IOobject
-            (
-                dynamicFvMesh::defaultRegion, runTime.timeName(), runTime,
-                IOobject::MUST_READ
-            )
-        )
-    );
-    dynamicFvMesh& mesh = meshPtr();
-
+    #include "createCaseMesh.H"
     #include "createControl.H"
     #include "createTimeControls.H"
     #include "createFields.H"

@@ -225,7 +225,7 @@ int main(int argc, char *argv[])
 
         dew::particleExchange exchange
         (
-            mesh, dict, dew::carrierFields{field, p, gradp, rho, mu}, s, Zero
+            mesh, dict, dew::carrierFields{field, field, p, gradp, rho, mu}, s, Zero
         );
         U = exchange.forces().U;
         forAll(exact, i)
