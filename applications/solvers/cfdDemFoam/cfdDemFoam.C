@@ -17,10 +17,10 @@ Description
         d(alphac)/dt + div(alphac U) = 0
 
         d(alphac U)/dt + div(alphac U U)
-          = - beta grad p + div(alphac tau) + (Su - Sp U)/rho
+          = - beta grad p + div(alphac tau) + (F + Sp (U^n - U))/rho
 
         d(alphac T)/dt + div(alphac U T)
-          = div(alphac D grad T) + (heatSu - heatSp T)/(rho Cp)
+          = div(alphac D grad T) + (Q + Qp (T^n - T))/(rho Cp)
 
     with beta = alphac (model A) or 1 (model B), and D = nu/Pr + nut/Prt. The
     pressure p is the dynamic one over the density, without rho g.x: gravity

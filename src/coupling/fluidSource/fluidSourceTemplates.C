@@ -20,11 +20,11 @@ Foam::dew::fluidSource<Type>::fluidSource
     map_(map),
     phi_(phi),
     phi0_(phi.primitiveField()),
-    Su_
+    F_
     (
         IOobject
         (
-            name + "Su",
+            name + "F",
             phi.time().timeName(),
             phi.mesh()
         ),
@@ -60,9 +60,9 @@ void Foam::dew::fluidSource<Type>::correct
     deltaT_ = phi_.time().deltaTValue();
     phi0_ = phi_.primitiveField();
 
-    Field<Type>& Su = Su_.primitiveFieldRef();
+    Field<Type>& F = F_.primitiveFieldRef();
     scalarField& Sp = Sp_.primitiveFieldRef();
-    Su = Zero;
+    F = Zero;
     Sp = 0;
 
     struct transfer
@@ -81,19 +81,19 @@ void Foam::dew::fluidSource<Type>::correct
         values,
         [&](const label celli, const scalar w, const transfer& value)
         {
-            Su[celli] -= w*value.J;
+            F[celli] -= w*value.J;
             Sp[celli] += w*value.s;
         }
     );
 
     const scalarField& V = phi_.mesh().V();
-    forAll(Su, celli)
+    forAll(F, celli)
     {
         const scalar perVolume = 1/(V[celli]*deltaT_);
         Sp[celli] *= perVolume;
-        Su[celli] = perVolume*Su[celli] + Sp[celli]*phi0_[celli];
+        F[celli] *= perVolume;
     }
-    Su_.correctBoundaryConditions();
+    F_.correctBoundaryConditions();
     Sp_.correctBoundaryConditions();
 }
 
@@ -128,7 +128,7 @@ Type Foam::dew::fluidSource<Type>::lost() const
     forAll(V, celli)
     {
         sum += V[celli]*deltaT_
-           *(Sp_[celli]*phi_[celli] - Su_[celli]);
+           *(Sp_[celli]*(phi_[celli] - phi0_[celli]) - F_[celli]);
     }
     return returnReduce(sum, sumOp<Type>());
 }
