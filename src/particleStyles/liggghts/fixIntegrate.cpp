@@ -166,7 +166,10 @@ void Foam::dew::fixIntegrate::load(const bool anyTerm)
         d[fullStep] = dt*dt/m*phi2(dt/m*d[Sp]);
         d[halfTurn] = 0.5*dt/I*phi1(0.5*dt/I*d[Tp]);
         d[heatStep] = 0;
-        std::memcpy(d + startVelocity, atom->v[i], 3*sizeof(double));
+        for (int k = 0; k < 3; k++)
+        {
+            d[startVelocity+k] = atom->v[i][k] - d[kick+k];
+        }
 
         if (heated_)
         {

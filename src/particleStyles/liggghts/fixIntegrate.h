@@ -18,7 +18,7 @@ Description
 
     What a particle received from these terms, the impulse m dv - F dt (and
     angular impulse and heat), is accumulated with it and migrates with it. So
-    do its velocity at the start, and Sn, the part of the force Su that is not
+    do its velocity at the start, the kick given then (as a velocity), and Sn, the part of the force Su that is not
     counted as received.
 
     Force and torque of the last sub-step are written to restarts, because
@@ -72,8 +72,8 @@ public:
         keptForce = 24, keptTorque = 27, kept = 30,
         // derived from the above at the start of a call: dt/m phi(...)
         halfStep = 31, fullStep = 32, halfTurn = 33, heatStep = 34,
-        Sn = 35, startVelocity = 38,
-        nColumns = 41,
+        Sn = 35, startVelocity = 38, kick = 41,
+        nColumns = 44,
         nKept = 7       // keptForce, keptTorque, kept
     };
 

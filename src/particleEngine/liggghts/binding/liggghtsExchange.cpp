@@ -106,12 +106,16 @@ void Foam::dew::liggghtsEmbedded::give
     const double perImpulse = 1/(units_.force()*units_.time);
     const double perHeat = 1/(units_.power()*units_.time);
 
-    for (int i = 0; kick && i < atom.nlocal; i++)
+    for (int i = 0; i < atom.nlocal; i++)
     {
         for (int k = 0; k < 3; k++)
         {
-            atom.v[i][k] +=
-                perImpulse*finite(kick[3*i + k], atom.tag[i])/atom.rmass[i];
+            const double dv =
+                kick
+              ? perImpulse*finite(kick[3*i + k], atom.tag[i])/atom.rmass[i]
+              : 0;
+            atom.v[i][k] += dv;
+            data[i][fixIntegrate::kick + k] = dv;
         }
     }
 
@@ -180,7 +184,9 @@ void Foam::dew::liggghtsEmbedded::sensitivities
     {
         const double* d = data[i];
         const double m = atom.rmass[i];
-        const double G[3] = {m*g[0], m*g[1], m*g[2]};
+        const double* dv = d + f::kick;
+        const double G[3] =
+            {m*(g[0] + dv[0]), m*(g[1] + dv[1]), m*(g[2] + dv[2])};
 
         impulseSp[i] = 0;
         if (d[f::Sp] > 0)
