@@ -413,19 +413,19 @@ def resting_bed(path, ratio, n_steps, d=10e-6, **coupling):
     return case, drop, velocity
 
 
-@pytest.mark.parametrize('ratio', [3, 10])
-def test_gas_through_a_resting_bed(tmp_path, ratio):
-    """Steps of 3 and 10 times the relaxation time of a free grain in the bed: grains rest, velocities of the gas are
-    bounded by twice the interstitial one after the start, and the pressure gradient is Ergun's within 2 % (overlaps of 0.1 % of d
-    change it by 0.6 %) between the lowest and the highest but one of the bed's cells. In those at its ends the fluid's
-    velocity is smeared over the jump."""
-    case, drop, velocity = resting_bed(tmp_path, ratio, 20)
+@pytest.mark.parametrize('ratio, n_steps', [(3, 40), (10, 20)])
+def test_gas_through_a_resting_bed(tmp_path, ratio, n_steps):
+    """Steps of 3 and 10 times the relaxation time of a free grain in the bed: grains rest, velocities of the gas in the
+    bed are bounded by twice the interstitial one, and everywhere in the end, and the pressure gradient is Ergun's
+    within 2 % (overlaps of 0.1 % of d change it by 0.6 %) between the lowest and the highest but one of the bed's
+    cells. In the highest the fluid's velocity is smeared over the jump. After 0.02 s the lattice would buckle."""
+    case, drop, velocity = resting_bed(tmp_path, ratio, n_steps)
     run(case)
     times = case.times()
-    for number, name in enumerate(times):
-        # The start is a jump of the gas into a bed at rest
-        bound = 2 if number >= 5 else 5
-        assert np.abs(case.field('U', name)).max() < bound * velocity / (1 - np.pi / 6), name
+    for name in times:
+        # The gas above the bed takes some steps to come to rest after the jump at the start
+        cells = slice(None) if name == times[-1] else case.field('alphac', name) < 0.9
+        assert np.abs(case.field('U', name)[cells]).max() < 2 * velocity / (1 - np.pi / 6), name
     p = case.field('p', times[-1]).reshape(8, 9).mean(axis=1) * 1.2
     # 6 of 10 layers
     assert abs((p[0] - p[3]) / (0.6 * drop) - 1) < 0.02
