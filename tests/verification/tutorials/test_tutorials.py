@@ -11,6 +11,8 @@ TUTORIALS = ROOT / 'tutorials'
 def left(folder, names):
     """What earlier runs have left"""
     patterns = ['R[0-9]*', '[0-9]*', '*.png', '__pycache__', 'runs']
+    if folder.endswith('ErgunBed'):
+        patterns += ['Ergun', 'DiFelice', 'WenYu', 'VTK', 'dem', 'postProcessing', 'log.*', 'polyMesh']
     if folder.endswith('settlingSphere'):
         patterns += ['oneWay', 'twoWay']
     return shutil.ignore_patterns(*patterns)(folder, names) - {'0.orig'}
@@ -22,6 +24,7 @@ def fresh(path, name):
 
 
 @pytest.mark.parametrize('name', ['demFoam/collisions', pytest.param('demFoam/packing', marks=pytest.mark.slow),
+                                  pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
                                   'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction'])
 def test_runs_and_validates(tmp_path, name):
     case = fresh(tmp_path / 'case', name)
