@@ -248,20 +248,25 @@ bool Foam::dew::cellPlanes::ambiguous
 }
 
 
-Foam::scalar Foam::dew::cellPlanes::clearance
+void Foam::dew::cellPlanes::cuts
 (
     const point& p,
-    const label celli
+    const label celli,
+    const scalar reach,
+    DynamicList<cut>& near
 ) const
 {
-    scalar least = GREAT;
-    for (label k = start_[celli]; k < start_[celli + 1]; k++)
+    near.clear();
+
+    const label end = start_[celli + 1];
+    for (label k = start_[celli]; k < end; k++)
     {
         const facePlane& plane = planes_[k];
-        if (plane.n != vector::zero)
+        const scalar distance = plane.offset - (plane.n & p);
+
+        if (distance < reach && plane.n != vector::zero)
         {
-            least = min(least, plane.offset - (plane.n & p));
+            near.append(cut{plane.n, distance});
         }
     }
-    return least;
 }

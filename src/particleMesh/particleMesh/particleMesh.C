@@ -164,30 +164,49 @@ void Foam::dew::particleMesh::correct
 
     List<DynamicList<walker>> travelling(Pstream::nProcs());
     DynamicList<portion> shares;
+    DynamicList<cellPlanes::cut> near(32);
 
     for (label k = 0; k < nHosted; k++)
     {
         start_.append(cell_.size());
         const scalar radius = 0.5*diameters[k];
 
-        if (planes.clearance(x_[k], hostCell[k]) >= reach*radius)
+        planes.cuts(x_[k], hostCell[k], reach*radius, near);
+        if (near.empty())
         {
             cell_.append(hostCell[k]);
             weight_.append(1);
             continue;
         }
 
+        // Most points are in the cell of the centre
+        scalar inHost = 0;
         forAll(stencil_.offset, s)
         {
+            const vector away(radius*stencil_.offset[s]);
+            bool inside = true;
+            for (const cellPlanes::cut& plane : near)
+            {
+                inside = inside && (plane.n & away) <= plane.distance;
+            }
+            if (inside)
+            {
+                inHost += stencil_.weight[s];
+                continue;
+            }
+
             walker w
             {
-                keys[k], x_[k] + radius*stencil_.offset[s], hostCell[k],
-                stencil_.weight[s], 0
+                keys[k], x_[k] + away, hostCell[k], stencil_.weight[s], 0
             };
             if (step(w, travelling))
             {
                 add(w.cell, w.weight);
             }
+        }
+        if (inHost > 0)
+        {
+            add(hostCell[k], inHost);
         }
     }
 
