@@ -42,6 +42,7 @@ Usage
 #include "fvOptions.H"
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "pimpleControl.H"
+#include "reverseLinear.H"
 #include "sigFpe.H"
 #include "singlePhaseTransportModel.H"
 

@@ -17,22 +17,7 @@
 Foam::dew::exchangeLedger::exchangeLedger(const Time& time)
 :
     time_(time)
-{
-    if (Pstream::master())
-    {
-        const fileName folder
-        (
-            time.globalPath()/"postProcessing"/"exchange"/time.timeName()
-        );
-        mkDir(folder);
-        file_.reset(new OFstream(folder/"ledger.dat"));
-        file_().precision(17);
-        file_()
-            << "# time held represented clipped outside"
-            << " received.x received.y received.z lost.x lost.y lost.z scale"
-            << " heatReceived heatLost heatScale" << endl;
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -107,6 +92,22 @@ void Foam::dew::exchangeLedger::print() const
 
 void Foam::dew::exchangeLedger::write()
 {
+    if (Pstream::master() && !file_)
+    {
+        // Here, not before: a dry run leaves an earlier file alone
+        const fileName folder
+        (
+            time_.globalPath()/"postProcessing"/"exchange"
+           /time_.timeName(time_.startTime().value())
+        );
+        mkDir(folder);
+        file_.reset(new OFstream(folder/"ledger.dat"));
+        file_().precision(17);
+        file_()
+            << "# time held represented clipped outside"
+            << " received.x received.y received.z lost.x lost.y lost.z scale"
+            << " heatReceived heatLost heatScale" << endl;
+    }
     if (file_)
     {
         OFstream& os = file_();

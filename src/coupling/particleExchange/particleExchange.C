@@ -31,6 +31,10 @@ namespace dew
 namespace
 {
 
+//- Of a particle in the restart: momentum and heat
+constexpr Foam::label nKickValues = 4;
+
+
 //- Gradient that is exact for linear fields on any mesh, at any scale; at a
 //  boundary that a cell is not right in front of, its values count as those of
 //  the point opposite the cell's centre (fvPatch::delta)
@@ -163,6 +167,13 @@ Foam::dew::particleExchange::particleExchange
             Function1<vector>::New("frameAcceleration", particleProperties);
     }
 
+    if (dict_.found("heat") && !dict_.found("heatTransfer"))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'heat' needs the entry 'heatTransfer'" << nl
+            << "Add a law, e.g. heatTransfer { type RanzMarshall; }, or remove"
+            << " 'heat'" << exit(FatalIOError);
+    }
     if (dict_.found("heatTransfer"))
     {
         if (!state_.thermal)
@@ -541,18 +552,40 @@ void Foam::dew::particleExchange::readKicks()
     Pstream::scatter(found);
     if (!found)
     {
+        // Averages are written with it
+        bool lost =
+            isFile(time.path()/time.timeName()/"U.particles")
+         || isFile(time.path()/time.timeName()/"U.particles.gz");
+        Pstream::scatter(lost);
+        if (lost)
+        {
+            FatalErrorInFunction
+                << "The restart of the exchange is incomplete: no file "
+                << path << nl << "Start from an earlier time, or from the"
+                << " beginning" << exit(FatalError);
+        }
         return;
     }
 
-    const label nValues = heat_ ? 4 : 3;
     boolList known;
     const List<scalar> values
     (
-        particleRecord::read(path, state_.id, nValues, known)
+        particleRecord::read(path, state_.id, nKickValues, known)
     );
+    forAll(known, i)
+    {
+        if (!known[i])
+        {
+            FatalErrorInFunction
+                << "The restart of the exchange " << path
+                << " does not know particle " << state_.id[i] << nl
+                << "Start from an earlier time, or from the beginning"
+                << exit(FatalError);
+        }
+    }
     for (label i = 0; i < n; i++)
     {
-        const scalar* v = values.cdata() + nValues*i;
+        const scalar* v = values.cdata() + nKickValues*i;
         kick_[i] = vector(v[0], v[1], v[2]);
         if (heat_)
         {
@@ -563,6 +596,19 @@ void Foam::dew::particleExchange::readKicks()
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::particleExchange::update()
+{
+    // What is pending belongs to the mesh before
+    if (!kicked_)
+    {
+        FatalErrorInFunction
+            << "The mesh changed before the balance of the step was made"
+            << abort(FatalError);
+    }
+    findMap();
+}
+
 
 const Foam::dew::bulkForces& Foam::dew::particleExchange::forces()
 {
@@ -701,11 +747,10 @@ bool Foam::dew::particleExchange::writeObject
     updateKicks();
 
     const label n = state_.size();
-    const label nValues = heat_ ? 4 : 3;
-    List<scalar> values(nValues*n);
+    List<scalar> values(nKickValues*n, scalar(0));
     for (label i = 0; i < n; i++)
     {
-        scalar* v = values.data() + nValues*i;
+        scalar* v = values.data() + nKickValues*i;
         for (direction k = 0; k < 3; k++)
         {
             v[k] = kick_[i][k];
@@ -715,11 +760,15 @@ bool Foam::dew::particleExchange::writeObject
             v[3] = heatKick_[i];
         }
     }
-    particleRecord::write
+    const fileName path
     (
-        mesh_.time().path()/mesh_.time().timeName()/kickFile(),
-        state_.id, values, nValues
+        mesh_.time().path()/mesh_.time().timeName()/kickFile()
     );
+    if (Pstream::master())
+    {
+        mkDir(path.path());
+    }
+    particleRecord::write(path, state_.id, values, nKickValues);
 
     // Averages of the particles in each cell, by volume
     scalarField solid(mesh_.nCells(), Zero);

@@ -34,11 +34,11 @@ Foam::scalar Foam::dew::wholeSubSteps
     }
 
     const dictionary& control = time.controlDict();
-    if
+    const word writeControl
     (
-        control.get<word>("writeControl") == "adjustable"
-     || control.get<word>("writeControl") == "adjustableRunTime"
-    )
+        control.getOrDefault<word>("writeControl", "timeStep")
+    );
+    if (writeControl == "adjustable" || writeControl == "adjustableRunTime")
     {
         const scalar interval = control.get<scalar>("writeInterval");
         const scalar past = time.value() - time.startTime().value();
@@ -50,6 +50,12 @@ Foam::scalar Foam::dew::wholeSubSteps
         const scalar steps = std::ceil(left/n*(1 - 1e-12));
 
         n = std::ceil(left/steps*(1 - 1e-12));
+
+        // Time takes half a step early for met: leave more than that
+        while (n > 1 && left > n && left - n <= 0.5*n)
+        {
+            n--;
+        }
     }
 
     return n*subStep;

@@ -117,11 +117,19 @@ void Foam::dew::couplingCheck::print() const
         exchange_.widthLimit(),
         "The fluid a particle sees is disturbed by itself: use a coarser mesh"
     );
-    printLine
-    (
-        "share of a cell one particle fills", share, 0.5,
-        "Use a coarser mesh, or voidFraction divided"
-    );
+    if (exchange_.displaces())
+    {
+        printLine
+        (
+            "share of a cell one particle fills", share, 0.5,
+            "Use a coarser mesh, or voidFraction divided"
+        );
+    }
     printLine("Courant number", Co, 1, "Lower deltaT, or set adjustTimeStep");
+    if (mesh_.dynamic())
+    {
+        Info<< "    The mesh may move: walls of the particles, also those of"
+            << " its patches, do not move with it" << nl;
+    }
     Info<< endl;
 }

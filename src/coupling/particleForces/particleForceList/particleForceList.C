@@ -27,6 +27,7 @@ Foam::dew::particleForceList::particleForceList(const dictionary& dict)
     laws_.setSize(laws.size());
 
     label n = 0;
+    bool pressure = false;
     for (const entry& e : laws)
     {
         laws_.set
@@ -34,6 +35,16 @@ Foam::dew::particleForceList::particleForceList(const dictionary& dict)
             n++,
             particleForce::New(userEntry::dictOf(laws, e)).ptr()
         );
+        pressure =
+            pressure
+         || laws_[n - 1].reaction() == particleForce::reactions::sharedPressure;
+    }
+
+    if (model_ == models::A && n > 0 && !pressure)
+    {
+        Info<< "WARNING: model A without pressureGradientForce in "
+            << laws.name() << ": nobody carries the particles' share of the"
+            << " pressure gradient, and they have no buoyancy" << nl << endl;
     }
 }
 

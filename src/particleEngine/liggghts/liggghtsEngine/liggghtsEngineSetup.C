@@ -282,7 +282,16 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
     }
     else
     {
-        deltaT_ = step/std::ceil(step/wanted*(1 - 1e-12));
+        // The first of adjustable steps says nothing of those to come
+        const bool adjustable =
+            mesh_.time().controlDict().getOrDefault<bool>
+            (
+                "adjustTimeStep", false
+            );
+        deltaT_ =
+            adjustable
+          ? wanted
+          : step/std::ceil(step/wanted*(1 - 1e-12));
     }
 
     if (deltaT_ > stable)
