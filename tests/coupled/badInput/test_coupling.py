@@ -259,7 +259,7 @@ def test_particles_that_leave_are_counted(case, ranks):
 # --- Restart and dry run
 
 @pytest.mark.parametrize('ranks', [1, 2])
-@pytest.mark.parametrize('damage', ['cut', 'changed'])
+@pytest.mark.parametrize('damage', ['cut', 'changed', 'missing'])
 def test_damaged_exchange_restart(case, damage, ranks):
     case.control.update(endTime=2e-4, writeInterval=2)
     case.write()
@@ -272,6 +272,8 @@ def test_damaged_exchange_restart(case, damage, ranks):
     else:
         raw[50] ^= 1
     path.write_bytes(raw)
+    if damage == 'missing':
+        path.unlink()
     before = case.digests()
     case.control.update(endTime=4e-4)
     case.write()
