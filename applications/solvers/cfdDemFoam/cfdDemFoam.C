@@ -45,6 +45,7 @@ Usage
 #include "reverseLinear.H"
 #include "sigFpe.H"
 #include "singlePhaseTransportModel.H"
+#include "wallFvPatch.H"
 
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"

@@ -75,6 +75,8 @@ REFUSALS = {
     'heatTransfer without heat': (
         HEAT, FLUID_HEAT, {'T': '300'},
         ('particleProperties', "'heatTransfer'", 'heat on', 'remove')),
+    'heat without heatTransfer': (
+        {'coupling/heat': 'none'}, {}, {}, ('particleProperties', "'heat'", "'heatTransfer'", 'remove')),
     'heatTransfer without T': (
         {**THERMAL, **HEAT}, FLUID_HEAT, {},
         ('particleProperties', "'heatTransfer'", 'field T', 'Cp', 'kappa')),
