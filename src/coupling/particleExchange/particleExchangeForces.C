@@ -1,0 +1,220 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+// What the particles see of the fluid, and the laws
+
+#include "particleExchange.H"
+#include "leastSquaresGrad.H"
+#include "Time.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Gradient that is exact for linear fields on any mesh, at any scale; at a
+//  boundary that a cell is not right in front of, its values count as those of
+//  the point opposite the cell's centre (fvPatch::delta)
+template<class Type>
+auto linearGradient
+(
+    const Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>& field
+)
+{
+    Foam::IStringStream none("");
+    return
+        Foam::fv::leastSquaresGrad<Type>(field.mesh(), none).calcGrad
+        (
+            field, "grad(" + field.name() + ')'
+        );
+}
+
+
+template<class Type>
+void findNotFinite
+(
+    const Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>& field
+)
+{
+    const Foam::Field<Type>& values = field.primitiveField();
+
+    forAll(values, celli)
+    {
+        // Not by a comparison, which a trap would end without a message
+        bool finite = true;
+        for (Foam::direction k = 0; k < Foam::pTraits<Type>::nComponents; k++)
+        {
+            finite =
+                finite && std::isfinite(Foam::component(values[celli], k));
+        }
+
+        if (!finite)
+        {
+            FatalErrorInFunction
+                << "Field " << field.name() << " is not finite in cell "
+                << celli << " at " << field.mesh().C()[celli] << ", time "
+                << field.time().timeName() << ": " << values[celli] << Foam::nl
+                << "Look for a time step that is too large, or for boundary"
+                << " conditions that contradict each other"
+                << Foam::exit(Foam::FatalError);
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::particleExchange::gatherCarriers()
+{
+    const volVectorField& U = fluid_.Uc;
+    const vectorField& gradp = fluid_.gradp;
+    const vectorField& C = mesh_.C();
+    const bool shared = laws_.model() == particleForceList::models::A;
+    const bool thermal = bool(heatTransfer_);
+
+    vector g(g_);
+    if (frameAcceleration_)
+    {
+        g -= frameAcceleration_->value(mesh_.time().value());
+    }
+
+    tmp<volTensorField> gradU;
+    tmp<volVectorField> gradT;
+    if (linear_)
+    {
+        gradU = linearGradient(U);
+        if (thermal)
+        {
+            gradT = linearGradient(*fluid_.T);
+        }
+    }
+
+    const auto shares = [&](const auto& cells, carrier& c)
+    {
+        c.alphac = 0;
+        c.gradp = Zero;
+        cells
+        (
+            [&](const label celli, const scalar w)
+            {
+                c.alphac += w*alphac_[celli];
+                if (shared)
+                {
+                    c.gradp += w*gradp[celli];
+                }
+            }
+        );
+    };
+
+    carriers_.setSize(state_.size());
+    UList<carrier>& carriers = carriers_;
+    carriers = carrier();
+
+    map_.gather
+    (
+        carriers,
+        [&](const label celli, const point& x, const auto& cells, carrier& c)
+        {
+            c.U = U[celli];
+            c.rho = fluid_.rho[celli];
+            c.mu = fluid_.mu[celli];
+            c.g = g;
+            if (thermal)
+            {
+                c.T = (*fluid_.T)[celli];
+                c.kappa = (*fluid_.kappa)[celli];
+                c.Cp = (*fluid_.Cp)[celli];
+            }
+            if (linear_)
+            {
+                const vector away(x - C[celli]);
+                c.U += away & gradU()[celli];
+                if (thermal)
+                {
+                    c.T += away & gradT()[celli];
+                }
+            }
+            shares(cells, c);
+        },
+        shares,
+        [](carrier& c, const carrier& other)
+        {
+            c.alphac += other.alphac;
+            c.gradp += other.gradp;
+        }
+    );
+}
+
+
+void Foam::dew::particleExchange::evaluateLaws()
+{
+    const label n = state_.size();
+    const scalar dt = mesh_.time().deltaTValue();
+
+    forces_.Su.setSize(n);
+    forces_.Sn.setSize(n);
+    forces_.Sp.setSize(n);
+    forces_.U.setSize(n);
+    if (heatTransfer_)
+    {
+        forces_.Qp.setSize(n);
+        forces_.Tf.setSize(n);
+    }
+    relaxation_ = 0;
+
+    for (label i = 0; i < n; i++)
+    {
+        const carrier& c = carriers_[i];
+        const particle p
+        {
+            state_.v[i],
+            state_.d[i],
+            state_.rho[i],
+            state_.thermal ? state_.T[i] : 0,
+            state_.type[i]
+        };
+
+        // Outside the mesh there is no fluid
+        particleForceList::sum f;
+        scalar Qp = 0;
+        if (c.rho > 0)
+        {
+            f = laws_.total(p, c);
+            if (heatTransfer_)
+            {
+                Qp = heatTransfer_->Qp(p, c);
+            }
+        }
+
+        forces_.Su[i] = f.Su;
+        forces_.Sn[i] = f.Sn;
+        forces_.Sp[i] = f.Sp;
+        forces_.U[i] = c.U;
+        if (heatTransfer_)
+        {
+            forces_.Qp[i] = Qp;
+            forces_.Tf[i] = c.T;
+        }
+        relaxation_ = max(relaxation_, f.Sp*dt/state_.mass(i));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::particleExchange::checkFinite() const
+{
+    findNotFinite(fluid_.U);
+    findNotFinite(fluid_.p);
+    if (fluid_.T)
+    {
+        findNotFinite(*fluid_.T);
+    }
+}

@@ -1,0 +1,167 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+// Restart of the pending kicks, and averages of the particles
+
+#include "particleExchange.H"
+#include "OSspecific.H"
+#include "particleRecord.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Of a particle in the restart: momentum and heat
+constexpr Foam::label nKickValues = 4;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fileName Foam::dew::particleExchange::kickFile() const
+{
+    return fileName("uniform")/"particles"/"exchange";
+}
+
+
+void Foam::dew::particleExchange::readKicks()
+{
+    // Sources of a step that is over: nothing is pending but what was written
+    const label n = state_.size();
+    kick_.setSize(n);
+    UList<vector>& kick = kick_;
+    kick = Zero;
+    if (heat_)
+    {
+        heatKick_.setSize(n);
+        UList<scalar>& heatKick = heatKick_;
+        heatKick = 0;
+    }
+    kicked_ = true;
+
+    // Of the master's processor directory, or of the whole case, as the
+    // engine's own restart; a run of particles alone has none
+    const Time& time = mesh_.time();
+    fileName path(time.path()/time.timeName()/kickFile());
+    if (!isFile(path))
+    {
+        path = time.globalPath()/time.timeName()/kickFile();
+    }
+    bool found = isFile(path);
+    Pstream::scatter(found);
+    if (!found)
+    {
+        // Averages are written with it
+        bool lost =
+            isFile(time.path()/time.timeName()/"U.particles")
+         || isFile(time.path()/time.timeName()/"U.particles.gz");
+        Pstream::scatter(lost);
+        if (lost)
+        {
+            FatalErrorInFunction
+                << "The restart of the exchange is incomplete: no file "
+                << path << nl << "Start from an earlier time, or from the"
+                << " beginning" << exit(FatalError);
+        }
+        return;
+    }
+
+    boolList known;
+    const List<scalar> values
+    (
+        particleRecord::read(path, state_.id, nKickValues, known)
+    );
+    forAll(known, i)
+    {
+        if (!known[i])
+        {
+            FatalErrorInFunction
+                << "The restart of the exchange " << path
+                << " does not know particle " << state_.id[i] << nl
+                << "Start from an earlier time, or from the beginning"
+                << exit(FatalError);
+        }
+    }
+    for (label i = 0; i < n; i++)
+    {
+        const scalar* v = values.cdata() + nKickValues*i;
+        kick_[i] = vector(v[0], v[1], v[2]);
+        if (heat_)
+        {
+            heatKick_[i] = v[3];
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::dew::particleExchange::writeObject
+(
+    IOstream::streamFormat fmt,
+    IOstream::versionNumber ver,
+    IOstream::compressionType cmp,
+    const bool valid
+) const
+{
+    updateKicks();
+
+    const label n = state_.size();
+    List<scalar> values(nKickValues*n, scalar(0));
+    for (label i = 0; i < n; i++)
+    {
+        scalar* v = values.data() + nKickValues*i;
+        for (direction k = 0; k < 3; k++)
+        {
+            v[k] = kick_[i][k];
+        }
+        if (heat_)
+        {
+            v[3] = heatKick_[i];
+        }
+    }
+    const fileName path
+    (
+        mesh_.time().path()/mesh_.time().timeName()/kickFile()
+    );
+    if (Pstream::master())
+    {
+        mkDir(path.path());
+    }
+    particleRecord::write(path, state_.id, values, nKickValues);
+
+    // Averages of the particles in each cell, by volume
+    scalarField solid(mesh_.nCells(), Zero);
+    volVectorField Up
+    (
+        IOobject("U.particles", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false),
+        mesh_,
+        dimensionedVector(dimVelocity, Zero),
+        "zeroGradient"
+    );
+    List<scalar> volume(n);
+    List<vector> flow(n);
+    for (label i = 0; i < n; i++)
+    {
+        volume[i] = state_.volume(i);
+        flow[i] = volume[i]*state_.v[i];
+    }
+    map_.scatter(volume, solid);
+    map_.scatter(flow, Up.primitiveFieldRef());
+    forAll(solid, celli)
+    {
+        if (solid[celli] > 0)
+        {
+            Up[celli] /= solid[celli];
+        }
+    }
+    Up.correctBoundaryConditions();
+
+    return Up.writeObject(fmt, ver, cmp, valid);
+}
