@@ -68,7 +68,7 @@ void Foam::dew::momentumExchange::checkExplicit
         FatalErrorInFunction
             << "The time step " << dt << " s is above the limit of explicit"
             << " momentum exchange at time " << mesh.time().timeName()
-            << ": in cell " << cell << " at " << mesh.C()[cell]
+            << ": in cell " << cell << " at " << mesh.cellCentres()[cell]
             << " particles would take " << worst << " times the momentum the"
             << " fluid's slip holds" << nl
             << "Lower deltaT in system/controlDict to less than about "

@@ -230,7 +230,7 @@ void Foam::dew::particleExchange::checkSize() const
         FatalIOErrorInFunction(dict_)
             << "Particles do not fit the void fraction model '"
             << voidFraction_->type() << "': one of them fills " << share
-            << " of cell " << cell << " at " << mesh_.C()[cell]
+            << " of cell " << cell << " at " << mesh_.cellCentres()[cell]
             << ", alphacMin " << alphacMin_ << " leaves room for "
             << 1 - alphacMin_ << nl
             << "Use a coarser mesh, or another voidFraction model (valid: "
@@ -276,7 +276,7 @@ void Foam::dew::particleExchange::occupy()
             {
                 most = refused;
                 ledger_.clippedCell = celli;
-                ledger_.clippedAt = mesh_.C()[celli];
+                ledger_.clippedAt = mesh_.cellCentres()[celli];
                 ledger_.clippedAlphac = alphac[celli];
             }
             alphac[celli] = alphacMin_;

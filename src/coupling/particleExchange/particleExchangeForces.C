@@ -57,7 +57,7 @@ void findNotFinite
         {
             FatalErrorInFunction
                 << "Field " << field.name() << " is not finite in cell "
-                << celli << " at " << field.mesh().C()[celli] << ", time "
+                << celli << " at " << field.mesh().cellCentres()[celli] << ", time "
                 << field.time().timeName() << ": " << values[celli] << Foam::nl
                 << "Look for a time step that is too large, or for boundary"
                 << " conditions that contradict each other"
