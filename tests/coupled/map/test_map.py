@@ -366,13 +366,13 @@ def test_mesh_moves_past_particles(tmp_path, ranks):
 
 def test_vortices_in_a_moving_mesh(tmp_path):
     """Taylor's vortices decay by viscosity alone, in a mesh at rest as in one that passes over them at five times their
-    velocity: both lose at most 5 % more than exp(-2 nu k^2 t) by the upwind error of Euler's time step. A velocity of
-    the mesh counted twice loses 11 % at this step and 74 % at one ten times as long."""
+    velocity. What is left over exp(-2 nu k^2 t): Euler's step costs u k dt/2 k u t, 1 % at rest and 5 % in passing; a
+    velocity of the mesh counted twice costs 12 %."""
     left = []
     for velocity in ((0, 0, 0), (0.1, 0, 0)):
         L, nu, n = 0.01, 1e-6, 12
         case = FluidCase(tmp_path / str(velocity[0]), upper=(L, L, L / n), cells=(n, n, 1), cyclic='xyz', rho=1000, nu=nu,
-                         gravity=(0, 0, 0), deltaT=2e-4, endTime=0.02, writeInterval=100, writeFormat='ascii',
+                         gravity=(0, 0, 0), deltaT=2e-4, endTime=0.1, writeInterval=500, writeFormat='ascii',
                          writePrecision=12)
         c = (np.arange(n) + 0.5) * 2 * np.pi / n
         y, x = np.meshgrid(c, c, indexing='ij')
@@ -390,9 +390,9 @@ def test_vortices_in_a_moving_mesh(tmp_path):
             'solidBodyMotionFunction': 'linearMotion', 'velocity': velocity})
         done = case.run('cfdDemFoam')
         assert done.code == 0, done.output
-        exact = np.exp(-2 * nu * (2 * np.pi / L)**2 * 0.02)
+        exact = np.exp(-2 * nu * (2 * np.pi / L)**2 * 0.1)
         left.append(np.sqrt((case.field('U', case.times()[-1])**2).mean() / (U**2).mean()) / exact)
-    assert all(0.95 < share < 1.005 for share in left), left
+    assert 0.98 < left[0] < 1.005 and 0.93 < left[1] < 1.005, left
 
 
 def test_mesh_is_squeezed(tmp_path):
