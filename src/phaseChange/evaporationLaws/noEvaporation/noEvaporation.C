@@ -1,0 +1,51 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "noEvaporation.H"
+#include "addToRunTimeSelectionTable.H"
+#include "userEntry.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+namespace evaporationLaws
+{
+    defineTypeName(noEvaporation);
+    addToRunTimeSelectionTable(evaporationLaw, noEvaporation, dictionary);
+}
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::evaporationLaws::noEvaporation::noEvaporation
+(
+    const dictionary& dict,
+    const liquidModel&,
+    const gasModel&
+)
+{
+    userEntry::onlyThese(dict, {"type"});
+}
+
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::dew::filmFlux Foam::dew::evaporationLaws::noEvaporation::flux
+(
+    const gasFilm&
+) const
+{
+    return filmFlux();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,210 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+// From the faces between gas and liquid to the cells on both sides
+
+#include "interfaceTransfer.H"
+#include "gasModel.H"
+#include "liquidModel.H"
+#include "surfaceMotion.H"
+#include "syncTools.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::interfaceTransfer::neighbourSums(scalarField& values) const
+{
+    volScalarField field
+    (
+        IOobject("sums", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("zero", dimless, Zero)
+    );
+    field.primitiveFieldRef() = values;
+    field.correctBoundaryConditions();
+
+    forAll(mesh_.owner(), facei)
+    {
+        const label own = mesh_.owner()[facei];
+        const label nei = mesh_.neighbour()[facei];
+        values[own] += field[nei];
+        values[nei] += field[own];
+    }
+    for (const fvPatchScalarField& patch : field.boundaryField())
+    {
+        if (patch.coupled())
+        {
+            const scalarField other(patch.patchNeighbourField());
+            forAll(other, facei)
+            {
+                values[patch.patch().faceCells()[facei]] += other[facei];
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::interfaceTransfer::heat
+(
+    const volScalarField& T,
+    volScalarField::Internal& Su,
+    volScalarField::Internal& Sp,
+    surfaceScalarField& kappaf
+) const
+{
+    const scalar p0 = gas_.p0();
+    const auto& faces = faces_.faces();
+    const surfaceScalarField& delta = mesh_.nonOrthDeltaCoeffs();
+
+    scalarField liquidSu(faces.size()), liquidSp(faces.size());
+
+    forAll(faces, k)
+    {
+        const interfaceFace& face = faces[k];
+        const scalar hv = liquid_.hv(p0, Ts_[k]);
+        const scalar slope = hv*flux_[k].dNdTs*face.S;
+        const scalar sum = KG_[k] + KL_[k] + slope;
+        const scalar latent = hv*N_[k]*face.S - slope*Ts_[k];
+
+        const scalar conductance = KG_[k]*KL_[k]/sum;
+        (
+            face.patch < 0
+          ? kappaf[face.face]
+          : kappaf.boundaryFieldRef()[face.patch][face.patchFace]
+        ) =
+            conductance
+           /face.S
+           /(
+                face.patch < 0
+              ? delta[face.face]
+              : delta.boundaryField()[face.patch][face.patchFace]
+            );
+
+        // Vapour enters the gas, and liquid leaves, at Ts
+        const scalar toGas = max(N_[k], scalar(0))*face.S*gas_.CpVapour(Ts_[k]);
+        const scalar toLiquid =
+            max(-N_[k], scalar(0))*face.S*liquid_.Cp(p0, Ts_[k]);
+
+        const scalar V = mesh_.V()[face.gas];
+        Su[face.gas] += (-KG_[k]/sum*latent + toGas*Ts_[k])/V;
+        Sp[face.gas] += (KG_[k]/sum*slope + toGas)/V;
+
+        liquidSu[k] = -KL_[k]/sum*latent + toLiquid*Ts_[k];
+        liquidSp[k] = KL_[k]/sum*slope + toLiquid;
+    }
+
+    scalarField cellSu(mesh_.nCells(), Zero), cellSp(mesh_.nCells(), Zero);
+    faces_.toLiquid(liquidSu, cellSu);
+    faces_.toLiquid(liquidSp, cellSp);
+    Su.field() += cellSu/mesh_.V();
+    Sp.field() += cellSp/mesh_.V();
+
+    // The other side of a processor boundary has the conductance, too
+    scalarList across(mesh_.nFaces() - mesh_.nInternalFaces(), Zero);
+    for (const interfaceFace& face : faces)
+    {
+        if (face.patch >= 0 && !face.wall)
+        {
+            across[face.face - mesh_.nInternalFaces()] =
+                kappaf.boundaryField()[face.patch][face.patchFace];
+        }
+    }
+    syncTools::swapBoundaryFaceList(mesh_, across);
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (patch.coupled())
+        {
+            forAll(patch, facei)
+            {
+                const scalar value =
+                    across
+                    [
+                        patch.start() - mesh_.nInternalFaces() + facei
+                    ];
+                if (!faces_.gas()[patch.faceCells()[facei]] && value > 0)
+                {
+                    kappaf.boundaryFieldRef()[patchi][facei] = value;
+                }
+            }
+        }
+    }
+}
+
+
+void Foam::dew::interfaceTransfer::distribute()
+{
+    const auto& faces = faces_.faces();
+    const scalarField& area = surface_.area();
+
+    // Best fit of N = J n.e: J = sum S N n.e/sum S (n.e)^2
+    scalarField above(mesh_.nCells(), Zero), below(mesh_.nCells(), Zero);
+    scalarField sideAbove(faces.size()), sideBelow(faces.size());
+    forAll(faces, k)
+    {
+        const interfaceFace& face = faces[k];
+        const scalar c = cosine(face);
+        sideAbove[k] = face.S*N_[k]*c;
+        sideBelow[k] = face.S*c*c;
+        above[face.gas] += sideAbove[k];
+        below[face.gas] += sideBelow[k];
+    }
+    faces_.toLiquid(sideAbove, above);
+    faces_.toLiquid(sideBelow, below);
+
+    // Every cell of the surface must see a face: one that only touches it has
+    // one a few cells on
+    const label nRounds = 3;
+    scalarField J(mesh_.nCells(), Zero);
+    boolList found(mesh_.nCells(), false);
+    for (label round = 0; round < nRounds; round++)
+    {
+        neighbourSums(above);
+        neighbourSums(below);
+
+        bool all = true;
+        forAll(area, celli)
+        {
+            if (area[celli] > 0 && !found[celli])
+            {
+                if (below[celli] > VSMALL)
+                {
+                    J[celli] = above[celli]/below[celli];
+                    found[celli] = true;
+                }
+                else
+                {
+                    all = false;
+                }
+            }
+        }
+        if (returnReduce(all, andOp<bool>()))
+        {
+            break;
+        }
+    }
+
+    scalar raw = 0, size = 0;
+    forAll(area, celli)
+    {
+        raw += J[celli]*area[celli];
+        size += mag(J[celli])*area[celli];
+    }
+    reduce(raw, sumOp<scalar>());
+    reduce(size, sumOp<scalar>());
+    const scalar share = size > 0 ? (rate_ - raw)/size : 0;
+
+    scalarField& mDot = mDot_;
+    forAll(area, celli)
+    {
+        mDot[celli] =
+            (J[celli] + share*mag(J[celli]))*area[celli]/mesh_.V()[celli];
+    }
+}
+
+
+// ************************************************************************* //
