@@ -1,0 +1,323 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "libraryLiquid.H"
+#include "addToRunTimeSelectionTable.H"
+#include "liquidProperties.H"
+#include "userEntry.H"
+
+#include <cmath>
+#include <cstdlib>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+namespace liquidModels
+{
+    defineTypeName(libraryLiquid);
+    addToRunTimeSelectionTable(liquidModel, libraryLiquid, dictionary);
+}
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Cp of ethanol with the right sign of the coefficient of T^2
+dictionary ethanolCp()
+{
+    dictionary Cp;
+    Cp.add("a", 2052.57331394213);
+    Cp.add("b", -1.21990926653498);
+    Cp.add("c", -0.00714146172046278);
+    Cp.add("d", 5.20523562482363e-05);
+    Cp.add("e", scalar(0));
+    Cp.add("f", scalar(0));
+    return Cp;
+}
+
+
+//- A constant instead of a fit, or -1
+scalar constantOf
+(
+    const dictionary& overrides,
+    const word& key,
+    const dimensionSet& dims
+)
+{
+    return
+        overrides.found(key) && !overrides.isDict(key)
+      ? dew::userEntry::positive(overrides, key, dims)
+      : -1;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::liquidProperties>
+Foam::dew::liquidModels::libraryLiquid::select(const dictionary& dict)
+{
+    const word name(dict.get<word>("liquid"));
+    const dictionary& overrides = userEntry::optionalDict(dict, "overrides");
+
+    if (!liquidProperties::dictionaryConstructorTablePtr_->found(name))
+    {
+        FatalIOErrorInLookup
+        (
+            dict,
+            "liquid",
+            name,
+            *liquidProperties::dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
+    }
+    if (overrides.found("D"))
+    {
+        FatalIOErrorInFunction(overrides)
+            << "The diffusivity D is none of the liquid" << nl
+            << "Give it in constant/gasProperties: diffusivity { ... }"
+            << exit(FatalIOError);
+    }
+    userEntry::onlyThese
+    (
+        overrides,
+        {
+            "rho", "mu", "Cp", "kappa", "hl", "sigma", "pv",
+            "Cpg", "kappag", "mug"
+        }
+    );
+    if (overrides.found("pv") && !overrides.isDict("pv"))
+    {
+        FatalIOErrorInFunction(overrides)
+            << "pv is one number" << nl
+            << "Give the coefficients of the fit: pv { a ...; b ...; }, or use"
+            << " type constant" << exit(FatalIOError);
+    }
+
+    // The name of the dictionary selects the liquid
+    dictionary fits{fileName(name)};
+    if (name == "C2H5OH")
+    {
+        fits.add("Cp", ethanolCp());
+    }
+    for (const entry& e : overrides)
+    {
+        if (e.isDict())
+        {
+            // The library calls the conductivity K
+            const word key(e.keyword() == "kappa" ? "K" : e.keyword());
+            fits.set(key, e.dict());
+        }
+    }
+    return liquidProperties::New(fits);
+}
+
+
+void Foam::dew::liquidModels::libraryLiquid::refuse(const scalar T) const
+{
+    FatalErrorInFunction
+        << "Liquid " << name_ << " at " << T << " K, but its properties are"
+        << " known from 0 to the critical temperature, " << Tc_ << " K" << nl
+        << "Check temperatures and time step"
+        << exit(FatalError);
+
+    ::abort();      // never reached: exit() ends the run
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::liquidModels::libraryLiquid::libraryLiquid(const dictionary& dict)
+:
+    name_(dict.get<word>("liquid")),
+    fits_(select(dict)),
+    W_(1e-3*fits_->W()),
+    Tc_(fits_->Tc())
+{
+    userEntry::onlyThese(dict, {"type", "liquid", "overrides"});
+
+    const dictionary& overrides = userEntry::optionalDict(dict, "overrides");
+    const dimensionSet dimKappa(dimPower/dimLength/dimTemperature);
+    const auto of = [&](const word& key, const dimensionSet& dims)
+    {
+        return constantOf(overrides, key, dims);
+    };
+
+    rho_ = of("rho", dimDensity);
+    mu_ = of("mu", dimDynamicViscosity);
+    Cp_ = of("Cp", dimSpecificHeatCapacity);
+    kappa_ = of("kappa", dimKappa);
+    hv_ = of("hl", dimEnergy/dimMass);
+    sigma_ = of("sigma", dimForce/dimLength);
+    Cpg_ = of("Cpg", dimSpecificHeatCapacity);
+    kappag_ = of("kappag", dimKappa);
+    mug_ = of("mug", dimDynamicViscosity);
+}
+
+
+Foam::dew::liquidModels::libraryLiquid::~libraryLiquid()
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::rho
+(
+    const scalar p,
+    const scalar T
+) const
+{
+    return rho_ < 0 ? fits_->rho(p, checked(T)) : rho_;
+}
+
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::mu
+(
+    const scalar p,
+    const scalar T
+) const
+{
+    return mu_ < 0 ? fits_->mu(p, checked(T)) : mu_;
+}
+
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::Cp
+(
+    const scalar p,
+    const scalar T
+) const
+{
+    return Cp_ < 0 ? fits_->Cp(p, checked(T)) : Cp_;
+}
+
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::kappa
+(
+    const scalar p,
+    const scalar T
+) const
+{
+    return kappa_ < 0 ? fits_->kappa(p, checked(T)) : kappa_;
+}
+
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::hv
+(
+    const scalar p,
+    const scalar T
+) const
+{
+    return hv_ < 0 ? fits_->hl(p, checked(T)) : hv_;
+}
+
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::sigma
+(
+    const scalar p,
+    const scalar T
+) const
+{
+    return sigma_ < 0 ? fits_->sigma(p, checked(T)) : sigma_;
+}
+
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::pSat
+(
+    const scalar T
+) const
+{
+    return fits_->pv(0, checked(T));
+}
+
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::dpSatdT
+(
+    const scalar T
+) const
+{
+    // The coefficients are hidden. The logarithm is nearly linear in 1/T: the
+    // difference is right to some 1e-8
+    const scalar h = 1e-4*checked(T);
+
+    return
+        pSat(T)
+       *std::log(fits_->pv(0, T + h)/fits_->pv(0, T - h))/(2*h);
+}
+
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::Tboil
+(
+    const scalar p
+) const
+{
+    if (p >= fits_->pv(0, Tc_))
+    {
+        return GREAT;
+    }
+
+    // pSat grows with T. Newton on ln p over 1/T, kept in the bracket
+    scalar low = 0.1*Tc_, high = Tc_;
+    scalar T = fits_->Tb();
+    for (label i = 0; i < 100; i++)
+    {
+        const scalar error = std::log(fits_->pv(0, T)/p);
+        (error > 0 ? high : low) = T;
+        const scalar h = 1e-4*T;
+        const scalar slope =
+            std::log(fits_->pv(0, T + h)/fits_->pv(0, T - h))/(2*h);
+
+        scalar next = 1/(1/T + error/(slope*T*T));
+        if (!(next > low && next < high))
+        {
+            next = 0.5*(low + high);
+        }
+        if (mag(next - T) < 1e-10*T)
+        {
+            return next;
+        }
+        T = next;
+    }
+    return T;
+}
+
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::vapourCp
+(
+    const scalar p,
+    const scalar T
+) const
+{
+    return Cpg_ < 0 ? fits_->Cpg(p, T) : Cpg_;
+}
+
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::vapourKappa
+(
+    const scalar p,
+    const scalar T
+) const
+{
+    return kappag_ < 0 ? fits_->kappag(p, T) : kappag_;
+}
+
+
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::vapourMu
+(
+    const scalar p,
+    const scalar T
+) const
+{
+    return mug_ < 0 ? fits_->mug(p, T) : mug_;
+}
