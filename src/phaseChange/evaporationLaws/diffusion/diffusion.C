@@ -8,7 +8,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "gasModel.H"
 #include "liquidModel.H"
-#include "vapourDiffusion.H"
+#include "saturation.H"
+#include "stefanFlux.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -55,27 +56,39 @@ Foam::dew::filmFlux Foam::dew::evaporationLaws::diffusion::flux
     // Differences of the properties over the film are of second order
     const scalar Tf = 0.5*(film.T + film.Ts);
 
-    const scalar xs = liquid_.pSat(film.Ts)/gas_.p0();
-    const scalar dxsdT = liquid_.dpSatdT(film.Ts)/gas_.p0();
+    const scalar xs = saturation::xs(liquid_, gas_, film.Ts);
+    const scalar dxsdT = saturation::dxsdT(liquid_, gas_, film.Ts);
+
+    // Fractions, derivatives by Y and T, and conductance in the form that is
+    // exact for the gas
+    const bool mass = gas_.uniformDensity();
+    const scalar y = mass ? film.Y : gas_.x(film.Y);
+    const scalar ys = mass ? gas_.Y(xs) : xs;
+    const scalar dydY = mass ? 1 : gas_.dxdY(film.Y);
+    const scalar dysdT = mass ? gas_.dYdx(xs)*dxsdT : dxsdT;
+    const scalar g =
+        mass
+      ? stefanFlux::massConductance
+        (
+            gas_.rho(film.Y, Tf), gas_.D(Tf), film.L
+        )
+      : stefanFlux::moleConductance
+        (
+            gas_.p0(), Tf, gas_.D(Tf), film.L, gas_.Wv()
+        );
 
     filmFlux f;
-    if (gas_.uniformDensity())
+    if (stefanFlow_)
     {
-        const scalar g = gas_.rho(film.Y, Tf)*gas_.D(Tf)/film.L;
-        const scalar Ys = gas_.Y(xs);
-
-        f.N = g*filmDrive(film.Y, Ys, stefanFlow_);
-        f.dNdY = -g*filmSlope(film.Y, stefanFlow_);
-        f.dNdTs = g*filmSlope(Ys, stefanFlow_)*gas_.dYdx(xs)*dxsdT;
+        f.N = stefanFlux::flux(g, y, ys);
+        f.dNdY = stefanFlux::dFluxdy(g, y)*dydY;
+        f.dNdTs = stefanFlux::dFluxdys(g, ys)*dysdT;
     }
     else
     {
-        const scalar g = molarDiffusion(gas_, Tf)/film.L;
-        const scalar x = gas_.x(film.Y);
-
-        f.N = g*filmDrive(x, xs, stefanFlow_);
-        f.dNdY = -g*filmSlope(x, stefanFlow_)*gas_.dxdY(film.Y);
-        f.dNdTs = g*filmSlope(xs, stefanFlow_)*dxsdT;
+        f.N = stefanFlux::fickFlux(g, y, ys);
+        f.dNdY = -g*dydY;
+        f.dNdTs = g*dysdT;
     }
     return f;
 }

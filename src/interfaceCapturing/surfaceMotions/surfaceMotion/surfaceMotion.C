@@ -1,0 +1,92 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceMotion.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+    defineTypeName(surfaceMotion);
+    defineRunTimeSelectionTable(surfaceMotion, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+Foam::IOobject derived
+(
+    const Foam::fvMesh& mesh,
+    const Foam::word& name,
+    const Foam::word& liquidName
+)
+{
+    return Foam::IOobject
+    (
+        Foam::IOobject::groupName(name, liquidName),
+        mesh.time().timeName(),
+        mesh
+    );
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::surfaceMotion::surfaceMotion
+(
+    const fvMesh& mesh,
+    const word& liquidName
+)
+:
+    mesh_(mesh),
+    symmetry_(mesh),
+    liquidName_(liquidName),
+    alpha_
+    (
+        IOobject
+        (
+            IOobject::groupName("alpha", liquidName),
+            mesh.time().timeName(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh
+    ),
+    alphaf_(derived(mesh, "alphaf", liquidName), mesh, dimless),
+    psi_(derived(mesh, "surfaceDistance", liquidName), mesh, dimLength),
+    n_(derived(mesh, "surfaceNormal", liquidName), mesh, dimless),
+    curvature_
+    (
+        derived(mesh, "surfaceCurvature", liquidName), mesh, dimless/dimLength
+    ),
+    speed_(derived(mesh, "surfaceSpeed", liquidName), mesh, dimVelocity),
+    area_(mesh.nCells(), scalar(0))
+{
+    if (alpha_.dimensions() != dimless)
+    {
+        FatalErrorInFunction
+            << "The file " << alpha_.objectPath() << " has dimensions "
+            << alpha_.dimensions() << nl
+            << "A share of the volume has none: [0 0 0 0 0 0 0]"
+            << exit(FatalError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::dew::surfaceMotion::heldVolume() const
+{
+    return gSum(alpha_.primitiveField()*mesh_.V());
+}
