@@ -16,7 +16,7 @@
 namespace
 {
 
-Foam::volScalarField::Internal zero
+Foam::volScalarField::Internal noSource
 (
     const Foam::word& name,
     const Foam::fvMesh& mesh,
@@ -60,9 +60,9 @@ Foam::dew::interfaceTransfer::interfaceTransfer
     ),
     faces_(mesh, surface),
     areaScale_(1),
-    vapourSu_(zero("vapourSu", mesh, dimDensity/dimTime)),
-    vapourSp_(zero("vapourSp", mesh, dimDensity/dimTime)),
-    mDot_(zero("mDot", mesh, dimDensity/dimTime)),
+    vapourSu_(noSource("vapourSu", mesh, dimDensity/dimTime)),
+    vapourSp_(noSource("vapourSp", mesh, dimDensity/dimTime)),
+    mDot_(noSource("mDot", mesh, dimDensity/dimTime)),
     rate_(0),
     change_(GREAT)
 {

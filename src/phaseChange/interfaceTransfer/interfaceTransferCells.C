@@ -7,6 +7,7 @@
 // From the faces between gas and liquid to the cells on both sides
 
 #include "interfaceTransfer.H"
+#include "bitSet.H"
 #include "gasModel.H"
 #include "liquidModel.H"
 #include "surfaceMotion.H"
@@ -160,7 +161,7 @@ void Foam::dew::interfaceTransfer::distribute()
     // one a few cells on
     const label nRounds = 3;
     scalarField J(mesh_.nCells(), Zero);
-    boolList found(mesh_.nCells(), false);
+    bitSet found(mesh_.nCells());
     for (label round = 0; round < nRounds; round++)
     {
         neighbourSums(above);
@@ -169,12 +170,12 @@ void Foam::dew::interfaceTransfer::distribute()
         bool all = true;
         forAll(area, celli)
         {
-            if (area[celli] > 0 && !found[celli])
+            if (area[celli] > 0 && !found.test(celli))
             {
                 if (below[celli] > VSMALL)
                 {
                     J[celli] = above[celli]/below[celli];
-                    found[celli] = true;
+                    found.set(celli);
                 }
                 else
                 {

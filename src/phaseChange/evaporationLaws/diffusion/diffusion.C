@@ -10,6 +10,7 @@
 #include "liquidModel.H"
 #include "saturation.H"
 #include "stefanFlux.H"
+#include "Switch.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
