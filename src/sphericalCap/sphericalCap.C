@@ -110,3 +110,44 @@ Foam::scalar Foam::dew::sphericalCap::leaves
     const scalar t = g > 0 ? (g + root)/(2*L2) : 2*sa/(root - g);
     return min(max(t, scalar(0)), scalar(1));
 }
+
+
+bool Foam::dew::sphericalCap::inside
+(
+    const scalar sa,
+    const scalar sb,
+    const scalar L2,
+    scalar& t0,
+    scalar& t1
+)
+{
+    t0 = 0;
+    t1 = 1;
+
+    // By the sign at the ends alone: edges that share a vertex agree about it
+    if (sa >= 0 && sb >= 0)
+    {
+        return true;
+    }
+    if (sa >= 0)
+    {
+        t1 = leaves(sa, sb, L2);
+        return true;
+    }
+    if (sb >= 0)
+    {
+        t0 = 1 - leaves(sb, sa, L2);
+        return true;
+    }
+
+    const scalar g = sb - sa + L2;
+    const scalar discriminant = sqr(g) + 4*L2*sa;
+    if (!(g > 0 && g < 2*L2 && discriminant > 0))
+    {
+        return false;
+    }
+    const scalar sum = g + sqrt(discriminant);
+    t0 = -2*sa/sum;
+    t1 = sum/(2*L2);
+    return t0 < t1;
+}

@@ -1,0 +1,284 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+// What the user gave, and the restart
+
+#include "quasiStatic.H"
+#include "addToRunTimeSelectionTable.H"
+#include "fvMesh.H"
+#include "Time.H"
+#include "unitConversion.H"
+#include "userEntry.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+namespace surfaceMotions
+{
+    defineTypeName(quasiStatic);
+    addToRunTimeSelectionTable(surfaceMotion, quasiStatic, dictionary);
+}
+}
+}
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Of positions and volumes that were written with six digits
+constexpr Foam::scalar fits = 1e-6;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::surfaceMotions::quasiStatic::record::record
+(
+    const quasiStatic& motion
+)
+:
+    IOdictionary
+    (
+        IOobject
+        (
+            "surface",
+            motion.mesh_.time().timeName(),
+            "uniform",
+            motion.mesh_,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    motion_(motion)
+{}
+
+
+Foam::dew::surfaceMotions::quasiStatic::quasiStatic
+(
+    const fvMesh& mesh,
+    const word& liquidName,
+    const dictionary& dict
+)
+:
+    surfaceMotion(mesh, liquidName),
+    dict_(dict),
+    line_
+    (
+        contactLine::New
+        (
+            userEntry::subDict(dict, "contactLine"),
+            degToRad(userEntry::within(dict, "contactAngle", 0.01, 179))
+        )
+    ),
+    overlap_(mesh, symmetry_),
+    base_(Zero),
+    normal_(Zero),
+    share_(1),
+    dt_(0),
+    wetFaces_("wetFaces", alphaf_),
+    warned_(false)
+{
+    const sphericalCap start(capAtStart(mesh, symmetry_, dict));
+    base_ = start.base();
+    normal_ = start.normal();
+
+    record_.reset(new record(*this));
+    const dictionary& saved = record_();
+    const bool restart = saved.found("volume");
+    const scalar held = heldVolume();
+
+    if (restart)
+    {
+        const auto read = [&](const word& key)
+        {
+            return userEntry::notNegative(saved, key, dimless);
+        };
+        share_ = read("share");
+        now_ = {read("volume"), read("contactRadius"), read("contactAngle")};
+        before_ =
+        {
+            read("volumeBefore"), read("contactRadiusBefore"),
+            read("contactAngleBefore")
+        };
+        dt_ = read("deltaT");
+
+        if (mag(held - volume()) > 10*fits*share_*max(now_.V, before_.V))
+        {
+            FatalIOErrorInFunction(saved)
+                << "The volume of " << alpha_.name() << ", " << held
+                << " m3, is not that of the drop in " << saved.name() << ", "
+                << volume() << " m3" << nl
+                << "Start from a time of which both were kept, or remove this"
+                << " file to start anew"
+                << exit(FatalIOError);
+        }
+    }
+    else
+    {
+        if (!(held > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "There is no liquid: the volume of "
+                << alpha_.objectPath() << " is " << held << " m3" << nl
+                << "Run setSphericalCap first"
+                << exit(FatalIOError);
+        }
+
+        now_ = {start.volume(), start.contactRadius(), start.angle()};
+        before_ = now_;
+        share_ = 0;
+        const scalar wedgeShare = 1/symmetry_.ringFactor();
+        for (const scalar share : {scalar(1), scalar(0.5), scalar(0.25)})
+        {
+            const scalar tried = symmetry_.wedge() ? wedgeShare : share;
+            if (mag(held - tried*now_.V) < fits*tried*now_.V)
+            {
+                share_ = tried;
+            }
+        }
+        if (share_ == 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "contactRadius and contactAngle do not fit the volume of "
+                << alpha_.name() << nl
+                << "Their cap has "
+                << (symmetry_.wedge() ? wedgeShare*now_.V : now_.V)
+                << " m3"
+                << (
+                       symmetry_.wedge()
+                     ? " in this wedge, "
+                     : " (or half, or a quarter of it, between symmetry"
+                       " planes), "
+                   )
+                << alpha_.name() << " has " << held << " m3" << nl
+                << "Run setSphericalCap; the cap must not leave the mesh"
+                << exit(FatalIOError);
+        }
+    }
+
+    // Without a step before, its start is the present
+    if (dt_ > 0)
+    {
+        cap_ = makeCap(before_);
+        overlap();
+    }
+    const surfaceScalarField wetBefore("wetBefore", wetFaces_);
+    cap_ = makeCap(now_);
+    overlap();
+    alphaf_ = dt_ > 0 ? 0.5*(wetBefore + wetFaces_) : 1*wetFaces_;
+    alpha_.oldTime();
+    correctGeometry();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::dew::surfaceMotions::quasiStatic::record::writeData
+(
+    Ostream& os
+) const
+{
+    // All digits, so that a continued run is the uninterrupted one
+    const int digits = os.precision(17);
+    os.writeEntry("share", motion_.share_);
+    os.writeEntry("volume", motion_.now_.V);
+    os.writeEntry("contactRadius", motion_.now_.a);
+    os.writeEntry("contactAngle", motion_.now_.theta);
+    os.writeEntry("volumeBefore", motion_.before_.V);
+    os.writeEntry("contactRadiusBefore", motion_.before_.a);
+    os.writeEntry("contactAngleBefore", motion_.before_.theta);
+    os.writeEntry("deltaT", motion_.dt_);
+    os.precision(digits);
+    return os.good();
+}
+
+
+Foam::dew::sphericalCap Foam::dew::surfaceMotions::quasiStatic::capAtStart
+(
+    const fvMesh& mesh,
+    const meshSymmetry& symmetry,
+    const dictionary& dict
+)
+{
+    userEntry::onlyThese
+    (
+        dict,
+        {
+            "type", "substrate", "centre", "contactRadius", "contactAngle",
+            "contactLine"
+        }
+    );
+
+    const word name(dict.get<word>("substrate"));
+    const label patchi = mesh.boundaryMesh().findPatchID(name);
+    if (patchi < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'substrate' in " << dict.dictName() << " is " << name
+            << nl << "The mesh has no such patch; it has "
+            << flatOutput(mesh.boundaryMesh().names())
+            << exit(FatalIOError);
+    }
+
+    const point centre(userEntry::pointOr(dict, "centre", dimLength, Zero));
+    const scalar a = userEntry::positive(dict, "contactRadius", dimLength);
+    const scalar theta =
+        degToRad(userEntry::within(dict, "contactAngle", 0.01, 179));
+
+    const polyPatch& patch = mesh.boundaryMesh()[patchi];
+    const vector sum(gSum(patch.faceAreas()));
+    const vector normal(-sum/max(mag(sum), VSMALL));
+
+    // Flat, and through the centre: also for patches without faces here
+    scalar off = 0;
+    for (const label pointi : patch.meshPoints())
+    {
+        off = max(off, mag((mesh.points()[pointi] - centre) & normal));
+    }
+    reduce(off, maxOp<scalar>());
+    if (!(mag(sum) > 0) || off > fits*a)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The patch " << name << " is not flat, or 'centre' "
+            << centre << " in " << dict.dictName() << " is not on it" << nl
+            << "Its points are up to " << off
+            << " m away from the plane through the centre"
+            << exit(FatalIOError);
+    }
+
+    if (symmetry.wedge())
+    {
+        const vector fromAxis(centre - symmetry.origin());
+        if
+        (
+            mag(fromAxis ^ symmetry.axis()) > fits*a
+         || mag(normal ^ symmetry.axis()) > fits
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "The drop of " << dict.dictName()
+                << " is not a body of revolution about the axis of the wedge"
+                << nl << "'centre' " << centre << " must be on the axis "
+                << symmetry.axis() << " through " << symmetry.origin()
+                << ", and the patch " << name << " at right angles to it"
+                << exit(FatalIOError);
+        }
+        return sphericalCap
+        (
+            symmetry.origin() + (fromAxis & symmetry.axis())*symmetry.axis(),
+            (normal & symmetry.axis()) > 0 ? symmetry.axis() : -symmetry.axis(),
+            a,
+            theta
+        );
+    }
+
+    return sphericalCap(centre, normal, a, theta);
+}
