@@ -405,12 +405,9 @@ void Foam::dew::gasPhase::move()
 }
 
 
-void Foam::dew::gasPhase::withdraw(const scalar vapour)
+void Foam::dew::gasPhase::add(const scalar vapour)
 {
-    if (transient_)
-    {
-        spread(-vapour, -vapour);
-    }
+    spread(vapour, vapour);
 }
 
 

@@ -221,6 +221,19 @@ void Foam::dew::surfaceMotions::quasiStatic::evolve(const scalar liquidLost)
 }
 
 
+Foam::List<Foam::Tuple2<Foam::word, Foam::scalar>>
+Foam::dew::surfaceMotions::quasiStatic::measures() const
+{
+    return
+    {
+        {"volume", now_.V},
+        {"contactRadius", now_.a},
+        {"contactAngle", radToDeg(now_.theta)},
+        {"height", cap_.valid() ? cap_->height() : 0}
+    };
+}
+
+
 void Foam::dew::surfaceMotions::quasiStatic::report(Ostream& os) const
 {
     os  << "drop: ";
