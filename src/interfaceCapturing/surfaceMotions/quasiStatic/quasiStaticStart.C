@@ -134,23 +134,14 @@ Foam::dew::surfaceMotions::quasiStatic::quasiStatic
 
         now_ = {start.volume(), start.contactRadius(), start.angle()};
         before_ = now_;
-        share_ = 0;
-        const scalar wedgeShare = 1/symmetry_.ringFactor();
-        for (const scalar share : {scalar(1), scalar(0.5), scalar(0.25)})
-        {
-            const scalar tried = symmetry_.wedge() ? wedgeShare : share;
-            if (mag(held - tried*now_.V) < fits*tried*now_.V)
-            {
-                share_ = tried;
-            }
-        }
+        share_ = shareInMesh(symmetry_, held, now_.V);
         if (share_ == 0)
         {
             FatalIOErrorInFunction(dict)
                 << "contactRadius and contactAngle do not fit the volume of "
                 << alpha_.name() << nl
                 << "Their cap has "
-                << (symmetry_.wedge() ? wedgeShare*now_.V : now_.V)
+                << now_.V/(symmetry_.wedge() ? symmetry_.ringFactor() : 1)
                 << " m3"
                 << (
                        symmetry_.wedge()
@@ -198,6 +189,26 @@ bool Foam::dew::surfaceMotions::quasiStatic::record::writeData
     os.writeEntry("deltaT", motion_.dt_);
     os.precision(digits);
     return os.good();
+}
+
+
+Foam::scalar Foam::dew::surfaceMotions::quasiStatic::shareInMesh
+(
+    const meshSymmetry& symmetry,
+    const scalar held,
+    const scalar whole
+)
+{
+    for (const scalar cut : {scalar(1), scalar(0.5), scalar(0.25)})
+    {
+        const scalar share =
+            symmetry.wedge() ? 1/symmetry.ringFactor() : cut;
+        if (mag(held - share*whole) < fits*share*whole)
+        {
+            return share;
+        }
+    }
+    return 0;
 }
 
 
