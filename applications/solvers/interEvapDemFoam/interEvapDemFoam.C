@@ -145,13 +145,14 @@ int main(int argc, char *argv[])
             }
         }
 
-        // All of them are now at the new place of the surface
+        ledger.report(gMax(scalarField(mag(U.primitiveField())*(1 - dry))));
+        exchange.report();
+
+        // On to the new place of the surface
         interface.move();
         gas.move();
         #include "properties.H"
 
-        ledger.report(gMax(mag(U.primitiveField())()));
-        exchange.report();
         runTime.write();
         report.print();
     }
