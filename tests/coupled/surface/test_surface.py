@@ -3,8 +3,8 @@
 testSurface (this folder) moves it by given losses. Expected values come from the formulas written here, which are not
 those of the code: rings are integrated as polynomials in z between the z where the sphere crosses their corners; boxes
 over slices, with Gauss points between such z, and each slice as a rectangle cut by a circle; caps by
-V = pi a^3 (2 - 3 cos + cos^3)/(3 sin^3), inverted by bisection. Tolerances: shares to 1e-9, of which the
-differences of R^3 in these formulas leave 1e-11; sums to 1e-12, N ulp of N cells.
+V = pi a^3 (2 - 3 cos + cos^3)/(3 sin^3), inverted by bisection. Tolerances: shares to 1e-11, where the
+differences of R^3 in these formulas leave 1e-12; sums to 1e-12, N ulp of N cells.
 """
 import re
 
@@ -143,7 +143,7 @@ def test_rings(tmp_path, theta):
     ring = 2 * np.pi / np.sin(2 * HALF)
     V, S = rings(A, t, re[i], re[i + 1], ze[j], ze[j + 1])
     whole = np.pi * (re[i + 1]**2 - re[i]**2) * (ze[j + 1] - ze[j])
-    assert np.abs(cells['alpha'] - V / whole).max() < 1e-9
+    assert np.abs(cells['alpha'] - V / whole).max() < 1e-11
     assert np.abs(cells['area'] * ring - S).max() < 1e-9 * A**2
     assert (cells['alpha'][V == 0] == 0).all() and (cells['alpha'][V > whole * (1 - 1e-12)] == 1).all()
     assert 0 <= cells['alpha'].min() and cells['alpha'].max() <= 1
@@ -173,10 +173,10 @@ def test_rings(tmp_path, theta):
     k = np.searchsorted(ze, z[upright]) - 1
     half = np.sqrt(np.maximum(R**2 - r[upright]**2, 0))
     wet = np.clip(np.minimum(ze[k + 1], zc + half) - np.maximum(ze[k], zc - half), 0, None) / (ze[k + 1] - ze[k])
-    assert np.abs(faces['alphaf'][upright] - wet).max() < 1e-9
+    assert np.abs(faces['alphaf'][upright] - wet).max() < 1e-11
     k = np.searchsorted(re, r[level]) - 1
     wet = (np.clip(R**2 - (z[level] - zc)**2, re[k]**2, re[k + 1]**2) - re[k]**2) / (re[k + 1]**2 - re[k]**2)
-    assert np.abs(faces['alphaf'][level] - wet).max() < 1e-9
+    assert np.abs(faces['alphaf'][level] - wet).max() < 1e-11
 
     # Where the way between two centres leaves the sphere
     ways = case.csv('crossing')
@@ -261,8 +261,8 @@ def test_boxes(tmp_path, theta, lower, centre):
     assert len(near) > 50
     some = np.random.default_rng(1).choice(near, min(100, len(near)), replace=False)
     V = np.array([box_volume(R, c, x[k] - h / 2, x[k] + h / 2) for k in some])
-    assert np.abs(cells['alpha'][some] - V / h.prod()).max() < 1e-9
-    assert ((V > 1e-3 * h.prod()) & (V < 0.999 * h.prod())).sum() > 15
+    assert np.abs(cells['alpha'][some] - V / h.prod()).max() < 1e-11
+    assert ((V > 1e-3 * h.prod()) & (V < 0.999 * h.prod())).sum() > 10
     far = np.setdiff1d(np.arange(len(x)), near)
     assert np.isin(cells['alpha'][far], (0, 1)).all() and (cells['area'][far] == 0).all()
 
@@ -273,7 +273,7 @@ def test_boxes(tmp_path, theta, lower, centre):
                            & (faces['area'] < h[0] * h[1] * (1 + 1e-9)))
     wet = np.array([rectangle(R**2 - (f[k, 2] - c[2])**2, *(f[k, 0] - c[0] + h[0] / 2 * np.array([-1, 1])),
                               *(f[k, 1] - c[1] + h[1] / 2 * np.array([-1, 1]))) for k in level]) / (h[0] * h[1])
-    assert np.abs(faces['alphaf'][level] - wet).max() < 1e-9 and ((wet > 0.01) & (wet < 0.99)).sum() > 10
+    assert np.abs(faces['alphaf'][level] - wet).max() < 1e-11 and ((wet > 0.01) & (wet < 0.99)).sum() > 5
 
 
 def test_large_cells(tmp_path):
@@ -285,8 +285,8 @@ def test_large_cells(tmp_path):
     case.go()
     cells = case.csv('cells')
     R, zc = sphere(2e-6, np.radians(175))
-    assert abs(cells['alpha'][0] * cells['V'][0] / cap_volume(2e-6, np.radians(175)) - 1) < 1e-9
-    assert abs(cells['area'][0] / (2 * np.pi * R * (R + zc)) - 1) < 1e-9
+    assert abs(cells['alpha'][0] * cells['V'][0] / cap_volume(2e-6, np.radians(175)) - 1) < 1e-11
+    assert abs(cells['area'][0] / (2 * np.pi * R * (R + zc)) - 1) < 1e-11
 
 
 def test_sheared_wedge(tmp_path):
@@ -381,7 +381,7 @@ def test_dry(tmp_path, line):
 def same(one, other, tolerance):
     """Tables with equal numbers, relative to the largest of each column."""
     for name in one.dtype.names:
-        scale = A if name in 'xyz' else max(np.abs(one[name]).max(), 1e-30)
+        scale = A if name in 'xyz' else 1 if name[0] == 'n' else max(np.abs(one[name]).max(), 1e-30)
         assert np.abs(one[name] - other[name]).max() <= tolerance * scale, name
 
 
@@ -431,7 +431,7 @@ def test_ranks(tmp_path):
         keys = [set(map(tuple, np.round(np.array([t['x'], t['y'], t['z'], t['area'] * 1e6]).T / 1e-12))) for t in (mine, theirs)]
         assert keys[0] == keys[1]
         # Faces on the cut come twice, with the same bits
-        twice = np.flatnonzero((np.diff(theirs['x']) == 0) & (np.diff(theirs['z']) == 0) & (np.diff(theirs['y']) == 0))
+        twice = np.flatnonzero(np.all([np.abs(np.diff(theirs[k])) < 1e-15 for k in 'xyz'], axis=0))
         assert len(twice) == 41 and (theirs['alphaf'][twice] == theirs['alphaf'][twice + 1]).all()
         assert ((theirs['alphaf'][twice] > 0) & (theirs['alphaf'][twice] < 1)).any()
         same(mine, np.delete(theirs, twice), 1e-12)
@@ -514,7 +514,7 @@ def test_grown(tmp_path):
     case.write()
     done = case.run('testSurface')
     assert done.code != 0 and 'grown to a contact angle' in done.output and 'constantAngle' in done.output, done.output
-    assert len(case.step_table()) == 2 and 'leaves' not in done.output
+    assert done.output.count('drop: volume') == 2
 
 
 def test_no_liquid(tmp_path, good):
@@ -572,3 +572,27 @@ def test_validity(tmp_path, good, values, words, code):
     numbers = re.search(r'drop: Ca (\S+), Bo (\S+)', done.output)
     assert np.allclose([float(v) for v in numbers.groups()],
                        [mu * U / sigma, rho * g * A * A * np.tan(np.radians(30)) / sigma], rtol=1e-5)
+
+
+def test_packed_in_drop(tmp_path):
+    """Whole spheres inside the drop, without overlap, also in the rim."""
+    d, theta = 1e-6, np.radians(40)
+    R, zc = sphere(A, theta)
+    case = Case(tmp_path, lower=(-2 * A, -2 * A, 0), upper=(2 * A, 2 * A, 2 * A), gravity=(0, 0, 0), deltaT=1e-6, endTime=1e-6,
+                writeInterval=1)
+    case.properties = {
+        'engine': 'prescribed', 'output': ('csv',),
+        'materials': {'glass': {'youngsModulus': 5e7, 'poissonsRatio': 0.29, 'density': 2500}},
+        'insertion': {'colloid': {'type': 'packed', 'material': 'glass', 'number': 500, 'diameter': {'type': 'mono', 'value': d},
+                                  'region': {'type': 'sphericalCap', 'centre': (0, 0, 0), 'axis': (0, 0, 1),
+                                             'contactRadius': A, 'contactAngle': 40.0}}}}
+    case.mesh()
+    done = case.run('demFoam')
+    assert done.code == 0, done.output
+    rows = case.table(1e-6)
+    x = np.array([rows[k] for k in 'xyz']).T
+    assert len(x) == 500
+    assert x[:, 2].min() >= d / 2 and np.linalg.norm(x - [0, 0, zc], axis=1).max() <= R - d / 2
+    apart = np.linalg.norm(x[:, None] - x[None], axis=2) + np.eye(len(x))
+    assert apart.min() >= d * (1 - 1e-9)
+    assert x[:, 2].max() > 0.8 * (R + zc) - d and np.hypot(x[:, 0], x[:, 1]).max() > 0.8 * A
