@@ -56,7 +56,6 @@ Foam::dew::meshSymmetry::meshSymmetry(const polyMesh& mesh)
            /returnReduce(sides[k]->size(), sumOp<label>());
     }
 
-    const vector normal = sides[0]->centreNormal();
     const vector along = sides[0]->axis();
 
     // The point of both planes that is nearest to the origin
@@ -72,8 +71,10 @@ Foam::dew::meshSymmetry::meshSymmetry(const polyMesh& mesh)
     axis_ = (along & absolute) < 0 ? -along : along;
     azimuth_ = axis_ ^ radial_;
 
-    cosHalf_ = mag(n[0] & normal);
-    const scalar sinHalf = sqrt(1 - sqr(cosHalf_));
+    // From the small one of the two, which an average over faces leaves all
+    // its digits
+    const scalar sinHalf = 0.5*mag(n[0]/mag(n[0]) + n[1]/mag(n[1]));
+    cosHalf_ = sqrt(1 - sqr(sinHalf));
     ringFactor_ = constant::mathematical::pi/(sinHalf*cosHalf_);
     wedge_ = true;
 }

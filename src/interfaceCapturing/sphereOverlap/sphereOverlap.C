@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphereOverlap.H"
+#include "bitSet.H"
 #include "DynamicList.H"
 #include "fvMesh.H"
 #include "processorPolyPatch.H"
@@ -111,6 +112,7 @@ void Foam::dew::sphereOverlap::calculate
     share.setSize(mesh_.nCells());
     area.setSize(mesh_.nCells());
 
+    bitSet cut(mesh_.nCells());
     forAll(cellPoints, celli)
     {
         label nIn = 0;
@@ -138,6 +140,7 @@ void Foam::dew::sphereOverlap::calculate
         }
         else
         {
+            cut.set(celli);
             share[celli] =
                 wedge
               ? ringShare(cap, celli, area[celli])
@@ -148,7 +151,14 @@ void Foam::dew::sphereOverlap::calculate
     scalarField allFaces(mesh_.nFaces());
     forAll(allFaces, facei)
     {
-        allFaces[facei] = faceShare(cap, facei);
+        // A cell that is wholly in or out has such faces
+        const label own = mesh_.faceOwner()[facei];
+        const label other =
+            mesh_.isInternalFace(facei) ? mesh_.faceNeighbour()[facei] : own;
+        allFaces[facei] =
+            !cut.test(own) ? share[own]
+          : !cut.test(other) ? share[other]
+          : faceShare(cap, facei);
     }
 
     // The owner's value on both sides

@@ -261,25 +261,14 @@ Foam::scalar Foam::dew::sphereOverlap::faceShare
 ) const
 {
     const face& f = mesh_.faces()[facei];
-    label nIn = 0;
-    scalar highest = -GREAT, largest = 0;
+    bool in = true;
     for (const label pointi : f)
     {
-        nIn += power_[pointi] >= 0;
-        highest = max(highest, power_[pointi]);
-        largest = max
-        (
-            largest,
-            mag(mesh_.points()[pointi] - mesh_.points()[f[0]])
-        );
+        in = in && power_[pointi] >= 0;
     }
-    if (nIn == f.size())
+    if (in)
     {
         return 1;
-    }
-    if (nIn == 0 && -highest > 2*largest*(2*cap.radius() + 2*largest))
-    {
-        return 0;
     }
 
     if (faceEdge_.size() && faceEdge_[facei].start() >= 0)

@@ -74,7 +74,7 @@ REFUSALS = {
         ('particleProperties', 'diameter', 'Unknown', 'gauss', 'mono', 'normal', 'logNormal', 'uniform')),
     'region unknown': (
         packed(**{'region/type': 'cube'}),
-        ('particleProperties', 'region', 'Unknown region', 'cube', 'box', 'cylinder', 'sphere')),
+        ('particleProperties', 'region', 'Unknown region', 'cube', 'box', 'cylinder', 'sphere', 'sphericalCap')),
     'motion unknown': (
         {'walls/sides/motion': {'type': 'linaer', 'velocity': (0, 0, 1)}},
         ('particleProperties', 'motion', 'Unknown', 'linaer', 'linear', 'oscillating', 'rotating', 'none')),

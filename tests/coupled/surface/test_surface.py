@@ -3,8 +3,8 @@
 testSurface (this folder) moves it by given losses. Expected values come from the formulas written here, which are not
 those of the code: rings are integrated as polynomials in z between the z where the sphere crosses their corners; boxes
 over slices, with Gauss points between such z, and each slice as a rectangle cut by a circle; caps by
-V = pi a^3 (2 - 3 cos + cos^3)/(3 sin^3), inverted by bisection. Tolerances: shares to 1e-9, of which the
-differences of R^3 in these formulas leave 1e-11; sums to 1e-12, N ulp of N cells.
+V = pi a^3 (2 - 3 cos + cos^3)/(3 sin^3), inverted by bisection. Tolerances: shares to 1e-11, where the
+differences of R^3 in these formulas leave 1e-12; sums to 1e-12, N ulp of N cells.
 """
 import re
 
@@ -42,7 +42,7 @@ class SurfaceCase(Case):
 
     def __init__(self, path, theta=60, a=A, line=None, steps=0, wedge=True, lost=(), **keywords):
         super().__init__(path, **{'application': 'testSurface', 'endTime': steps * 1e-3, 'deltaT': 1e-3,
-                                  'writeInterval': 1, 'writePrecision': 17, **keywords})
+                                  'writeInterval': 1, **keywords})
         self.wedge = wedge
         self.motion = {'type': 'quasiStatic', 'substrate': 'substrate' if wedge else 'zMin', 'contactRadius': a,
                        'contactAngle': float(theta), 'contactLine': line or {'type': 'pinned'}}
@@ -143,10 +143,10 @@ def test_rings(tmp_path, theta):
     ring = 2 * np.pi / np.sin(2 * HALF)
     V, S = rings(A, t, re[i], re[i + 1], ze[j], ze[j + 1])
     whole = np.pi * (re[i + 1]**2 - re[i]**2) * (ze[j + 1] - ze[j])
-    assert np.abs(cells['alpha'] - V / whole).max() < 1e-9
+    assert np.abs(cells['alpha'] - V / whole).max() < 1e-11
     assert np.abs(cells['area'] * ring - S).max() < 1e-9 * A**2
     assert (cells['alpha'][V == 0] == 0).all() and (cells['alpha'][V > whole * (1 - 1e-12)] == 1).all()
-    assert 0 <= cells['alpha'].min() and cells['alpha'].max() == 1
+    assert 0 <= cells['alpha'].min() and cells['alpha'].max() <= 1
     total = (cells['alpha'] * cells['V']).sum() * ring
     assert abs(total / cap_volume(A, t) - 1) < 1e-12
     R, zc = sphere(A, t)
@@ -173,14 +173,14 @@ def test_rings(tmp_path, theta):
     k = np.searchsorted(ze, z[upright]) - 1
     half = np.sqrt(np.maximum(R**2 - r[upright]**2, 0))
     wet = np.clip(np.minimum(ze[k + 1], zc + half) - np.maximum(ze[k], zc - half), 0, None) / (ze[k + 1] - ze[k])
-    assert np.abs(faces['alphaf'][upright] - wet).max() < 1e-9
+    assert np.abs(faces['alphaf'][upright] - wet).max() < 1e-11
     k = np.searchsorted(re, r[level]) - 1
     wet = (np.clip(R**2 - (z[level] - zc)**2, re[k]**2, re[k + 1]**2) - re[k]**2) / (re[k + 1]**2 - re[k]**2)
-    assert np.abs(faces['alphaf'][level] - wet).max() < 1e-9
+    assert np.abs(faces['alphaf'][level] - wet).max() < 1e-11
 
     # Where the way between two centres leaves the sphere
     ways = case.csv('crossing')
-    assert len(ways) > 20
+    assert len(ways) > 10
     x = np.array([ways['x'], ways['y'], ways['z']]) * (1 - ways['t']) + np.array([ways['u'], ways['v'], ways['w']]) * ways['t']
     assert np.abs(np.hypot(x[0] / np.cos(HALF), x[2] - zc) / R - 1).max() < 1e-12
 
@@ -194,7 +194,8 @@ def rectangle(rho2, x0, x1, y0, y1):
     def under(x):
         """Integral of sqrt(rho^2 - x^2) from 0."""
         x = np.clip(x, -rho, rho)
-        return (x * np.sqrt(rho2 - x * x) + rho2 * np.arcsin(x / rho)) / 2
+        y = np.sqrt(max(rho2 - x * x, 0))
+        return (x * y + rho2 * np.arctan2(x, y)) / 2
 
     cuts = [x0, x1, -rho, rho]
     for y in (y0, y1):
@@ -257,11 +258,11 @@ def test_boxes(tmp_path, theta, lower, centre):
     h = (np.array(upper) - lower) / n
     x = np.array([cells['x'], cells['y'], cells['z']]).T
     near = np.flatnonzero(np.abs(np.linalg.norm(x - c, axis=1) - R) < np.linalg.norm(h))
-    assert len(near) > 100
-    some = np.random.default_rng(1).choice(near, 100, replace=False)
+    assert len(near) > 50
+    some = np.random.default_rng(1).choice(near, min(100, len(near)), replace=False)
     V = np.array([box_volume(R, c, x[k] - h / 2, x[k] + h / 2) for k in some])
-    assert np.abs(cells['alpha'][some] - V / h.prod()).max() < 1e-9
-    assert ((V > 1e-3 * h.prod()) & (V < 0.999 * h.prod())).sum() > 30
+    assert np.abs(cells['alpha'][some] - V / h.prod()).max() < 1e-11
+    assert ((V > 1e-3 * h.prod()) & (V < 0.999 * h.prod())).sum() > 10
     far = np.setdiff1d(np.arange(len(x)), near)
     assert np.isin(cells['alpha'][far], (0, 1)).all() and (cells['area'][far] == 0).all()
 
@@ -272,7 +273,7 @@ def test_boxes(tmp_path, theta, lower, centre):
                            & (faces['area'] < h[0] * h[1] * (1 + 1e-9)))
     wet = np.array([rectangle(R**2 - (f[k, 2] - c[2])**2, *(f[k, 0] - c[0] + h[0] / 2 * np.array([-1, 1])),
                               *(f[k, 1] - c[1] + h[1] / 2 * np.array([-1, 1]))) for k in level]) / (h[0] * h[1])
-    assert np.abs(faces['alphaf'][level] - wet).max() < 1e-9 and ((wet > 0.01) & (wet < 0.99)).sum() > 10
+    assert np.abs(faces['alphaf'][level] - wet).max() < 1e-11 and ((wet > 0.01) & (wet < 0.99)).sum() > 5
 
 
 def test_large_cells(tmp_path):
@@ -284,8 +285,8 @@ def test_large_cells(tmp_path):
     case.go()
     cells = case.csv('cells')
     R, zc = sphere(2e-6, np.radians(175))
-    assert abs(cells['alpha'][0] * cells['V'][0] / cap_volume(2e-6, np.radians(175)) - 1) < 1e-9
-    assert abs(cells['area'][0] / (2 * np.pi * R * (R + zc)) - 1) < 1e-9
+    assert abs(cells['alpha'][0] * cells['V'][0] / cap_volume(2e-6, np.radians(175)) - 1) < 1e-11
+    assert abs(cells['area'][0] / (2 * np.pi * R * (R + zc)) - 1) < 1e-11
 
 
 def test_sheared_wedge(tmp_path):
@@ -380,7 +381,7 @@ def test_dry(tmp_path, line):
 def same(one, other, tolerance):
     """Tables with equal numbers, relative to the largest of each column."""
     for name in one.dtype.names:
-        scale = max(np.abs(one[name]).max(), 1e-30)
+        scale = A if name in 'xyz' else 1 if name[0] == 'n' else max(np.abs(one[name]).max(), 1e-30)
         assert np.abs(one[name] - other[name]).max() <= tolerance * scale, name
 
 
@@ -415,8 +416,12 @@ def test_restart(tmp_path, line):
 def test_ranks(tmp_path):
     """Two ranks, cut along the radius: begun, filled, continued by decomposePar."""
     V0 = cap_volume(A, np.radians(60)) * np.sin(2 * HALF) / (2 * np.pi)
-    lost = V0 * np.array([0.1, 0.3, 0.2, 0.1, 0.1, 0.1])
-    one = filled(tmp_path / 'one', steps=6, lost=lost, line=LINES['receding'])
+    lost = V0 * np.array([0.05, 0.15, 0.1, 0.05, 0.05, 0.05])
+    one = SurfaceCase(tmp_path / 'one', steps=6, lost=lost, line=LINES['receding'])
+    one.grading = (20, 0.3)        # half of the cells are in the drop, the cut passes through it
+    one.path.mkdir()
+    one.mesh()
+    one.fill()
     two = one.copy(tmp_path / 'two')
     one.go()
 
@@ -425,13 +430,13 @@ def test_ranks(tmp_path):
         return table[np.lexsort(keys)]
 
     def compare():
-        same(sort(one.csv('cells')), sort(two.csv('cells', 2)), 1e-12)
+        same(sort(one.csv('cells')), sort(two.csv('cells', 2)), 1e-11)
         mine, theirs = sort(one.csv('faces')), sort(two.csv('faces', 2))
         keys = [set(map(tuple, np.round(np.array([t['x'], t['y'], t['z'], t['area'] * 1e6]).T / 1e-12))) for t in (mine, theirs)]
         assert keys[0] == keys[1]
         # Faces on the cut come twice, with the same bits
-        twice = np.flatnonzero((np.diff(theirs['x']) == 0) & (np.diff(theirs['z']) == 0) & (np.diff(theirs['y']) == 0))
-        assert len(twice) == 41 and (theirs['alphaf'][twice] == theirs['alphaf'][twice + 1]).all()
+        twice = np.flatnonzero(np.all([np.abs(np.diff(theirs[k])) < 1e-15 for k in 'xyz'], axis=0))
+        assert 41 <= len(twice) <= 45 and (theirs['alphaf'][twice] == theirs['alphaf'][twice + 1]).all()
         assert ((theirs['alphaf'][twice] > 0) & (theirs['alphaf'][twice] < 1)).any()
         same(mine, np.delete(theirs, twice), 1e-12)
 
@@ -440,13 +445,11 @@ def test_ranks(tmp_path):
     compare()
 
     # Filled in parallel
-    filled_in_parallel = [p.read_bytes() for p in sorted(two.path.glob('processor*/0/alpha.water'))]
     for p in two.path.glob('processor*/0/alpha.water'):
         p.unlink()
-    two.fill(2)
-    assert len(filled_in_parallel) == 2
     two.control['startFrom'] = 'startTime'
     two.write()
+    two.fill(2)
     two.go(2)
     compare()
 
@@ -478,7 +481,6 @@ BAD = {
     'aboveSubstrate': ({'centre': (0, 0, 1e-6)}, {}, ('not on it', '1e-06')),
     'notThatPlane': ({'substrate': 'side'}, {}, ('not flat',)),
     'otherAngle': ({'contactAngle': 61.0}, {}, ('do not fit', 'setSphericalCap')),
-    'grown': ({}, {'lost': [-1e-16] * 30}, ('grown to a contact angle', 'constantAngle')),
     'leaves': ({'contactLine': {'type': 'constantAngle'}}, {'lost': [-1e-14] * 30}, ('leaves the mesh', 'Make the mesh larger')),
 }
 
@@ -498,14 +500,23 @@ def test_bad_input(tmp_path, good, name):
     if others:
         case.lost = others['lost']
         case.control['endTime'] = 1e-3 * len(case.lost)
-    if name == 'grown':
-        case.control['writeInterval'] = 100
     case.write()
     done = case.run('testSurface')
     assert done.code != 0
     assert len(re.findall(r'FOAM FATAL', done.output)) == 1, done.output
     for word in words:
         assert word in done.output, (word, done.output)
+
+
+def test_grown(tmp_path):
+    """A pinned drop that becomes a ball."""
+    case = filled(tmp_path, theta=170, a=3e-7, steps=2)
+    more = [cap_volume(3e-7, np.radians(178.9)) - cap_volume(3e-7, np.radians(170)), 6e-15]
+    case.lost = -np.array(more) * np.sin(2 * HALF) / (2 * np.pi)
+    case.write()
+    done = case.run('testSurface')
+    assert done.code != 0 and 'grown to a contact angle' in done.output and 'constantAngle' in done.output, done.output
+    assert done.output.count('drop: volume') == 2
 
 
 def test_no_liquid(tmp_path, good):
@@ -563,3 +574,27 @@ def test_validity(tmp_path, good, values, words, code):
     numbers = re.search(r'drop: Ca (\S+), Bo (\S+)', done.output)
     assert np.allclose([float(v) for v in numbers.groups()],
                        [mu * U / sigma, rho * g * A * A * np.tan(np.radians(30)) / sigma], rtol=1e-5)
+
+
+def test_packed_in_drop(tmp_path):
+    """Whole spheres inside the drop, without overlap, also in the rim."""
+    d, theta = 1e-6, np.radians(40)
+    R, zc = sphere(A, theta)
+    case = Case(tmp_path, lower=(-2 * A, -2 * A, 0), upper=(2 * A, 2 * A, 2 * A), gravity=(0, 0, 0), deltaT=1e-6, endTime=1e-6,
+                writeInterval=1)
+    case.properties = {
+        'engine': 'prescribed', 'output': ('csv',),
+        'materials': {'glass': {'youngsModulus': 5e7, 'poissonsRatio': 0.29, 'density': 2500}},
+        'insertion': {'colloid': {'type': 'packed', 'material': 'glass', 'number': 500, 'diameter': {'type': 'mono', 'value': d},
+                                  'region': {'type': 'sphericalCap', 'centre': (0, 0, 0), 'axis': (0, 0, 1),
+                                             'contactRadius': A, 'contactAngle': 40.0}}}}
+    case.mesh()
+    done = case.run('demFoam')
+    assert done.code == 0, done.output
+    rows = case.table(1e-6)
+    x = np.array([rows[k] for k in 'xyz']).T
+    assert len(x) == 500
+    assert x[:, 2].min() >= d / 2 and np.linalg.norm(x - [0, 0, zc], axis=1).max() <= R - d / 2
+    apart = np.linalg.norm(x[:, None] - x[None], axis=2) + np.eye(len(x))
+    assert apart.min() >= d * (1 - 1e-9)
+    assert x[:, 2].max() > 0.8 * (R + zc) - d and np.hypot(x[:, 0], x[:, 1]).max() > 0.8 * A
