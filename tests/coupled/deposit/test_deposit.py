@@ -2,11 +2,11 @@
 
 Eight prescribed particles of 1 um over a substrate at z = 1 um, axis at (20, 20) um, contact radius 10 um. By hand:
 
-    x - 20 um     0    3    9.5  8    0    9.2  11   9.9
+    r [um]        0    3    9.5  8    2    9.2  11   9.9
     gap [nm]      10   10   10   60   200  40   30   49.9
 
 With gap 50 nm six are deposited, all but those with 60 and 200; beyond the rim at 9 um are 9.5, 9.2, 11 and 9.9, all of
-them deposited. The mean radius is 50.6/8 um, that of those deposited 42.6/6 um. In four rings of 2.5 um, of area pi 6.25
+them deposited. The mean radius is 52.6/8 um, that of those deposited 42.6/6 um. In four rings of 2.5 um, of area pi 6.25
 (1, 3, 5, 7) um2, lie 2, 1, 0 and 4 (deposited 1, 1, 0, 3), and 1 beyond them.
 """
 import numpy as np
@@ -15,26 +15,27 @@ import pytest
 from dewCase import Case, changed, quoted
 
 UM = 1e-6
-R = np.array([0, 3, 9.5, 8, 0, 9.2, 11, 9.9])
+R = np.array([0, 3, 9.5, 8, 2, 9.2, 11, 9.9])
 GAP = np.array([10, 10, 10, 60, 200, 40, 30, 49.9])
 AREA = np.pi * 6.25 * np.array([1, 3, 5, 7]) * UM**2
-ROW = [8, 6 / 8, 4 / 8, 4 / 6, 50.6 / 8 * UM, 42.6 / 6 * UM]
+ROW = [8, 6 / 8, 4 / 8, 4 / 6, 52.6 / 8 * UM, 42.6 / 6 * UM]
 
 ENTRIES = {'type': 'depositStatistics', 'libs': '(dewFunctionObjects)', 'centre': (20 * UM, 20 * UM, UM),
            'normal': (0, 0, 2), 'contactRadius': 10 * UM, 'rings': 4, 'writeControl': 'writeTime'}
 
 
 def build(path, entries, azimuth=0.0, tilted=False, ranks=1):
-    """Particles at an azimuth around the axis; or all of it turned from z to x."""
+    """Particles around the axis, the first at an azimuth; or all of it turned from z to x."""
     case = Case(path, upper=(40 * UM,)*3, cells=(4, 4, 4), deltaT=1e-6, endTime=4e-6, writeInterval=2,
                 functions={'deposit': entries})
+    azimuth = azimuth + 0.7 * np.arange(len(R))
     position = {'x': 20 * UM + R * UM * np.cos(azimuth), 'y': 20 * UM + R * UM * np.sin(azimuth),
                 'z': UM + GAP * 1e-9 + 0.5 * UM}
     if tilted:
         position = {'x': position['z'], 'y': position['x'], 'z': position['y']}
     case.particles({**position, 'd': UM})
     case.properties = {
-        'engine': 'prescribed', 'materials': {'latex': {'density': 1000.0}},
+        'engine': 'prescribed', 'materials': {'latex': {'youngsModulus': 1e7, 'poissonsRatio': 0.3, 'density': 1000.0}},
         'insertion': {'all': {'type': 'file', 'file': quoted('constant/particles.csv'), 'material': 'latex'}},
         'output': ()}
     case.mesh()
