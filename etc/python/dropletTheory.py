@@ -23,7 +23,7 @@ def integral(f, lower, upper, panels=40, points=20):
 
 def popov(theta):
     """f of the evaporation rate pi R D dc f of a spherical cap with the contact angle theta, 0 <= theta < pi: Yu.O.
-    Popov, Phys. Rev. E 71 (2005) 036313, eq. A2. f(0) = 4/pi, f(pi/2) = 2."""
+    Popov, Phys. Rev. E 71 (2005) 036313. f(0) = 4/pi, f(pi/2) = 2."""
     def integrand(t):
         # (1 + cosh(2 theta t))/sinh(2 pi t) tanh((pi - theta) t), without large numbers
         e = np.exp
@@ -52,8 +52,7 @@ def height(theta, radius):
 
 
 def pinned_time(theta0, theta):
-    """t D dc/(rho R^2) until a pinned cap has gone from theta0 to theta: from dtheta/dt = -(1 + cos theta)^2 f, Popov's
-    eq. A8."""
+    """t D dc/(rho R^2) until a pinned cap has gone from theta0 to theta: from dtheta/dt = -(1 + cos theta)^2 f."""
     return integral(np.vectorize(lambda a: 1 / ((1 + np.cos(a))**2 * popov(a))), theta, theta0, 4)
 
 
