@@ -68,10 +68,11 @@ TEST(stefanFlux, smallDifferencesAndSigns)
 {
     EXPECT_EQ(stefanFlux::flux(2, 0.3, 0.3), 0);
 
-    // 0.5 and 2^-50 more: N/g = 2^-50/0.5 (1 - 2^-50 ...)
-    const scalar d = std::ldexp(1, -50);
-    EXPECT_NEAR(stefanFlux::flux(1, 0.5, 0.5 + d)/(2*d), 1, 1e-14);
-    EXPECT_NEAR(stefanFlux::flux(1, 0.5 + d, 0.5)/(-2*d), 1, 1e-14);
+    // 0.3 and some 1e-12 more, d as it is stored: ln(1 + d/(0.7 - d)) is
+    // d/0.7 to 1e-12; (1 - y)/(1 - ys) has lost four of its digits
+    const scalar more = 0.3 + 1e-12, d = more - 0.3;
+    EXPECT_NEAR(stefanFlux::flux(1, 0.3, more)*0.7/d, 1, 1e-11);
+    EXPECT_NEAR(stefanFlux::flux(1, more, 0.3)*0.7/d, -1, 1e-11);
 
     EXPECT_LT(stefanFlux::flux(1, 0.9, 0.1), 0);
     EXPECT_NEAR(stefanFlux::flux(1, 0.9, 0.1), -std::log(9), 1e-15);
