@@ -11,8 +11,6 @@
 #include "userEntry.H"
 #include "volFields.H"
 
-#include <cmath>
-
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -80,17 +78,6 @@ Foam::dew::farFieldFvPatchScalarField::farFieldFvPatchScalarField
     refValue() = scalarField("infinity", dict, p.size());
     refGrad() = 0;
     valueFraction() = 0;
-
-    forAll(refValue(), facei)
-    {
-        if (!std::isfinite(refValue()[facei]))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'infinity' in " << dict.dictName() << " is "
-                << refValue()[facei] << nl << "It must be a finite number"
-                << exit(FatalIOError);
-        }
-    }
 
     if (dict.found("value"))
     {

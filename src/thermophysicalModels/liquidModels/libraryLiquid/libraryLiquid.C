@@ -34,17 +34,80 @@ namespace
 
 using namespace Foam;
 
-//- Cp of ethanol with the right sign of the coefficient of T^2
-dictionary ethanolCp()
+//- Coefficients of a fit, as the library reads them
+dictionary coefficients(const wordList& names, const scalarList& values)
 {
-    dictionary Cp;
-    Cp.add("a", 2052.57331394213);
-    Cp.add("b", -1.21990926653498);
-    Cp.add("c", -0.00714146172046278);
-    Cp.add("d", 5.20523562482363e-05);
-    Cp.add("e", scalar(0));
-    Cp.add("f", scalar(0));
-    return Cp;
+    dictionary dict;
+    forAll(names, i)
+    {
+        dict.add(names[i], values[i]);
+    }
+    return dict;
+}
+
+
+//- What v1912 has wrong about a liquid
+dictionary mended(const word& liquid)
+{
+    dictionary fits{fileName(liquid)};
+
+    if (liquid == "C2H5OH")
+    {
+        // + there for the coefficient of T^2
+        fits.add
+        (
+            "Cp",
+            coefficients
+            (
+                {"a", "b", "c", "d", "e", "f"},
+                {
+                    2052.57331394213, -1.21990926653498,
+                    -0.00714146172046278, 5.20523562482363e-05, 0, 0
+                }
+            )
+        );
+    }
+    else if (liquid == "C9H20")
+    {
+        // -90304 there: the decimal point
+        fits.add
+        (
+            "pv",
+            coefficients
+            (
+                {"a", "b", "c", "d", "e"},
+                {109.35, -9030.4, -12.882, 7.8544e-06, 2}
+            )
+        );
+    }
+    else if (liquid == "N2")
+    {
+        // +32.165 there
+        fits.add
+        (
+            "mu",
+            coefficients
+            (
+                {"a", "b", "c", "d", "e"}, {-32.165, 496.9, 3.9069, -1.08e-21, 10}
+            )
+        );
+    }
+    else if (liquid == "CH3OH")
+    {
+        // There, coefficients of 0.056 - 1.4583e-4 T + 1.08e-7 T^2 in the place
+        // of those of a (1 - T/Tc)^b. The latter through the values of the
+        // former at 0 and 60 degrees:
+        fits.add
+        (
+            "sigma",
+            coefficients
+            (
+                {"Tc", "a", "b", "c", "d", "e"},
+                {512.58, 0.0435066, 0.769248, 0, 0, 0}
+            )
+        );
+    }
+    return fits;
 }
 
 
@@ -107,11 +170,7 @@ Foam::dew::liquidModels::libraryLiquid::select(const dictionary& dict)
     }
 
     // The name of the dictionary selects the liquid
-    dictionary fits{fileName(name)};
-    if (name == "C2H5OH")
-    {
-        fits.add("Cp", ethanolCp());
-    }
+    dictionary fits(mended(name));
     for (const entry& e : overrides)
     {
         if (e.isDict())
