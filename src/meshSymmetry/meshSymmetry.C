@@ -22,7 +22,9 @@ Foam::dew::meshSymmetry::meshSymmetry(const polyMesh& mesh)
     radial_(1, 0, 0),
     azimuth_(0, 1, 0),
     cosHalf_(1),
-    ringFactor_(1)
+    ringFactor_(1),
+    hole_(0),
+    bounds_(mesh.bounds())
 {
     DynamicList<const wedgePolyPatch*> sides;
     for (const polyPatch& patch : mesh.boundaryMesh())
@@ -63,9 +65,11 @@ Foam::dew::meshSymmetry::meshSymmetry(const polyMesh& mesh)
     const tensor rows(n[0], n[1], along);
     origin_ = inv(rows) & vector(n[0] & c[0], n[1] & c[1], 0);
 
-    const vector away = 0.5*(c[0] + c[1]) - origin_;
-    radial_ = away - along*(away & along);
-    radial_ /= mag(radial_);
+    radial_ = normal ^ along;
+    if ((radial_ & (0.5*(c[0] + c[1]) - origin_)) < 0)
+    {
+        radial_ = -radial_;
+    }
 
     // Towards the positive coordinate, whichever way the patches were named
     const vector absolute(mag(along.x()), mag(along.y()), mag(along.z()));
@@ -73,9 +77,39 @@ Foam::dew::meshSymmetry::meshSymmetry(const polyMesh& mesh)
     azimuth_ = axis_ ^ radial_;
 
     cosHalf_ = mag(n[0] & normal);
-    const scalar sinHalf = sqrt(1 - sqr(cosHalf_));
+    const scalar sinHalf = mag(n[0] & radial_);
+    if (mag(sinHalf - mag(n[1] & radial_)) > 1e-6*sinHalf)
+    {
+        FatalErrorInFunction
+            << "The wedge patches " << sides[0]->name() << " and "
+            << sides[1]->name() << " are not at the same angle to the plane"
+            << " normal to " << normal << nl
+            << "Make the mesh symmetric about that plane"
+            << exit(FatalError);
+    }
     ringFactor_ = constant::mathematical::pi/(sinHalf*cosHalf_);
     wedge_ = true;
+
+    scalar inner = GREAT, outer = 0;
+    for (const point& p : mesh.points())
+    {
+        const scalar r = radial_ & (p - origin_);
+        inner = min(inner, r);
+        outer = max(outer, r);
+    }
+    reduce(inner, minOp<scalar>());
+    reduce(outer, maxOp<scalar>());
+    hole_ = inner > 0 && inner < 1e-4*outer ? inner : 0;
+
+    // The axis is one of the coordinates'
+    for (direction k = 0; k < 3; k++)
+    {
+        if (mag(axis_[k]) < 0.5)
+        {
+            bounds_.min()[k] = origin_[k] - outer/cosHalf_;
+            bounds_.max()[k] = origin_[k] + outer/cosHalf_;
+        }
+    }
 }
 
 
@@ -90,59 +124,44 @@ Foam::vector Foam::dew::meshSymmetry::outward(const point& x) const
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::point Foam::dew::meshSymmetry::fold(const point& x) const
+Foam::point Foam::dew::meshSymmetry::folded(const point& x) const
 {
-    if (!wedge_)
-    {
-        return x;
-    }
     const vector r(x - origin_);
     const scalar z = axis_ & r;
-    return origin_ + cosHalf_*mag(r - z*axis_)*radial_ + z*axis_;
+    return
+        origin_ + max(cosHalf_*mag(r - z*axis_), hole_)*radial_ + z*axis_;
 }
 
 
-Foam::point Foam::dew::meshSymmetry::unfold
+Foam::point Foam::dew::meshSymmetry::unfolded
 (
     const point& inMesh,
     const point& x
 ) const
 {
-    return
-        wedge_
-      ? origin_ + radius(inMesh)*outward(x) + height(inMesh)*axis_
-      : inMesh;
+    return origin_ + radius(inMesh)*outward(x) + height(inMesh)*axis_;
 }
 
 
-Foam::vector Foam::dew::meshSymmetry::foldVector
+Foam::vector Foam::dew::meshSymmetry::foldedVector
 (
     const vector& v,
     const point& x
 ) const
 {
-    if (!wedge_)
-    {
-        return v;
-    }
     const vector out(outward(x));
     return
         (v & out)*radial_ + (v & (axis_ ^ out))*azimuth_ + (v & axis_)*axis_;
 }
 
 
-Foam::vector Foam::dew::meshSymmetry::unfoldVector
+Foam::vector Foam::dew::meshSymmetry::unfoldedVector
 (
     const vector& inMesh,
     const point& x
 ) const
 {
-    if (!wedge_)
-    {
-        return inMesh;
-    }
     const vector out(outward(x));
     return
         (inMesh & radial_)*out + (inMesh & azimuth_)*(axis_ ^ out)

@@ -6,6 +6,7 @@
 
 #include "couplingCheck.H"
 #include "fvc.H"
+#include "unitConversion.H"
 
 #include <cmath>
 #include <cstdio>
@@ -53,6 +54,62 @@ Foam::dew::couplingCheck::couplingCheck
 {}
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::dew::couplingCheck::cellWidth(const label celli) const
+{
+    const meshSymmetry& symmetry = exchange_.map().symmetry();
+    const scalar V = mesh_.V()[celli];
+
+    if (symmetry.wedge())
+    {
+        // Through the volume of its ring
+        const scalar round =
+            constant::mathematical::twoPi*symmetry.radius(mesh_.C()[celli]);
+        return std::sqrt(symmetry.ringFactor()*V/round);
+    }
+    return std::cbrt(V);
+}
+
+
+void Foam::dew::couplingCheck::printWedge(const scalar dMax) const
+{
+    const meshSymmetry& symmetry = exchange_.map().symmetry();
+
+    // Outer radius of the innermost cells
+    scalar inner = GREAT;
+    forAll(mesh_.C(), celli)
+    {
+        scalar outer = 0;
+        for (const label pointi : mesh_.cellPoints()[celli])
+        {
+            outer = max(outer, symmetry.radius(mesh_.points()[pointi]));
+        }
+        inner = min(inner, outer);
+    }
+    reduce(inner, minOp<scalar>());
+
+    const scalar angle = radToDeg(2*std::acos(symmetry.cosHalfAngle()));
+    Info<< "    Wedge mesh of " << angle << " degrees about the axis "
+        << symmetry.axis() << " through " << symmetry.origin()
+        << ": it stands for " << symmetry.ringFactor() << " times its volume"
+        << nl;
+    printLine
+    (
+        "particle diameter over that of innermost ring", dMax/(2*inner),
+        exchange_.widthLimit(),
+        "Particles fill the cells at the axis: use wider ones there"
+    );
+
+    const vector& g = exchange_.g();
+    if (mag(g - symmetry.axis()*(symmetry.axis() & g)) > 1e-9*mag(g))
+    {
+        Info<< "    WARNING: gravity " << g << " is not along the axis: the"
+            << " fluid of a wedge cannot follow particles across it" << nl;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::dew::couplingCheck::print() const
@@ -64,15 +121,17 @@ void Foam::dew::couplingCheck::print() const
     exchange_.forces();
 
     // Largest particle over the width of the cell it is in
-    scalar width = 0;
+    scalar width = 0, dMax = 0;
     {
         const hostCells& hosts = exchange_.map().hosts();
         const List<scalar> d(hosts.map().forward(s.d));
         forAll(d, k)
         {
-            width = max(width, d[k]/std::cbrt(mesh_.V()[hosts.cells()[k]]));
+            width = max(width, d[k]/cellWidth(hosts.cells()[k]));
+            dMax = max(dMax, d[k]);
         }
         reduce(width, maxOp<scalar>());
+        reduce(dMax, maxOp<scalar>());
     }
     label celli = -1;
     const scalar share =
@@ -124,6 +183,10 @@ void Foam::dew::couplingCheck::print() const
             "share of a cell one particle fills", share, 0.5,
             "Use a coarser mesh, or voidFraction divided"
         );
+    }
+    if (exchange_.map().symmetry().wedge())
+    {
+        printWedge(dMax);
     }
     printLine("Courant number", Co, 1, "Lower deltaT, or set adjustTimeStep");
     if (mesh_.dynamic())

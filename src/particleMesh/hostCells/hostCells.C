@@ -17,6 +17,7 @@
 Foam::dew::hostCells::hostCells(const polyMesh& mesh)
 :
     mesh_(mesh),
+    symmetry_(mesh),
     planes_(mesh),
     nOutside_(0)
 {}
@@ -208,7 +209,7 @@ void Foam::dew::hostCells::correct(const UList<point>& x)
     forAll(x, i)
     {
         const host& from = guess_[i];
-        walker w{{me, i}, x[i], from.cell, 0};
+        walker w{{me, i}, symmetry_.fold(x[i]), from.cell, 0};
 
         if (from.rank != me)
         {
