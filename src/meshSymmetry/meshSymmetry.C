@@ -23,6 +23,7 @@ Foam::dew::meshSymmetry::meshSymmetry(const polyMesh& mesh)
     azimuth_(0, 1, 0),
     cosHalf_(1),
     ringFactor_(1),
+    outer_(0),
     hole_(0),
     bounds_(mesh.bounds())
 {
@@ -90,24 +91,24 @@ Foam::dew::meshSymmetry::meshSymmetry(const polyMesh& mesh)
     ringFactor_ = constant::mathematical::pi/(sinHalf*cosHalf_);
     wedge_ = true;
 
-    scalar inner = GREAT, outer = 0;
+    scalar inner = GREAT;
     for (const point& p : mesh.points())
     {
         const scalar r = radial_ & (p - origin_);
         inner = min(inner, r);
-        outer = max(outer, r);
+        outer_ = max(outer_, r);
     }
     reduce(inner, minOp<scalar>());
-    reduce(outer, maxOp<scalar>());
-    hole_ = inner > 0 && inner < 1e-4*outer ? inner : 0;
+    reduce(outer_, maxOp<scalar>());
+    hole_ = inner > 0 && inner < 1e-4*outer_ ? inner : 0;
 
     // The axis is one of the coordinates'
     for (direction k = 0; k < 3; k++)
     {
         if (mag(axis_[k]) < 0.5)
         {
-            bounds_.min()[k] = origin_[k] - outer/cosHalf_;
-            bounds_.max()[k] = origin_[k] + outer/cosHalf_;
+            bounds_.min()[k] = origin_[k] - outer_/cosHalf_;
+            bounds_.max()[k] = origin_[k] + outer_/cosHalf_;
         }
     }
 }

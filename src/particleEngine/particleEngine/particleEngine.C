@@ -230,7 +230,8 @@ void Foam::dew::particleEngine::checkInside
     forAll(inside, i)
     {
         const point x(symmetry_.fold(list.x[i]));
-        inside[i] = local.contains(x) && mesh_.findCell(x) >= 0;
+        inside[i] =
+            local.contains(x) && mesh_.findCell(symmetry_.offAxis(x)) >= 0;
     }
     Pstream::listCombineGather(inside, maxEqOp<label>());
 

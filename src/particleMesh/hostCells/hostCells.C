@@ -106,7 +106,7 @@ void Foam::dew::hostCells::search(const UList<walker>& unresolved)
     {
         for (const walker& w : received[rank])
         {
-            answers[rank].append(mesh_.findCell(w.p));
+            answers[rank].append(mesh_.findCell(symmetry_.offAxis(w.p)));
         }
     }
     List<labelList> replies;

@@ -33,7 +33,7 @@ def vectors(rows, names='vx vy vz'):
 def turned(x, phi):
     """x rotated by phi about z."""
     c, s = np.cos(phi), np.sin(phi)
-    return np.stack([c * x[..., 0] - s * x[..., 1], s * x[..., 0] + c * x[..., 1], x[..., 2]], axis=-1)
+    return np.stack([c * x[..., 0] - s * x[..., 1], s * x[..., 0] + c * x[..., 1], x[..., 2] + 0 * c], axis=-1)
 
 
 class WedgeCase(FluidCase):
@@ -345,8 +345,8 @@ def test_revolved_walls_keep_all_particles(tmp_path, radii, ranks):
         'walls': {'all': {'type': 'patch', 'patches': ('bottom', 'side'), 'material': 'glass', 'segments': 60}},
         'insertion': {'bed': {'type': 'packed', 'number': 250, 'material': 'glass', 'seed': 1,
                               'diameter': {'type': 'mono', 'value': 6e-4},
-                              'region': {'type': 'cylinder', 'point': (0, 0, 0.5 * H), 'axis': (0, 0, 1),
-                                         'radius': 0.5 * sum(radii), 'height': 0.5 * H}}}}
+                              'region': {'type': 'cylinder', 'point1': (0, 0, 0.5 * H), 'point2': (0, 0, H),
+                                         'radius': 0.5 * sum(radii)}}}}
     case.mesh()
     if ranks > 1:
         case.decompose(ranks)
@@ -449,7 +449,8 @@ def test_one_wedge_patch_is_refused(tmp_path):
     path = tmp_path / 'constant/polyMesh/boundary'
     text = path.read_text()
     path.write_text(re.sub(r'(front\s*\{\s*type\s+)wedge', r'\1patch', text))
+    case.write_file('constant/map.csv', 'x,y,z,d\n')
+    case.write_file('constant/testProperties', 'voidFraction { type none; }\n')
     done = case.run('testMap')
-    done = case.run('cfdDemFoam')
     assert done.code != 0
     assert 'The mesh has 1 wedge patches' in done.output, done.output
