@@ -170,4 +170,18 @@ Foam::vector Foam::dew::meshSymmetry::unfoldedVector
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::point Foam::dew::meshSymmetry::offAxis(const point& inMesh) const
+{
+    const scalar small = 1e-9*outer_;
+    if (!wedge_ || radius(inMesh) > small)
+    {
+        return inMesh;
+    }
+    const bool up = height(inMesh) < height(bounds_.midpoint());
+    return inMesh + small*(radial_ + (up ? 1 : -1)*axis_);
+}
+
+
 // ************************************************************************* //

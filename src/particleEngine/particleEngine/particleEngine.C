@@ -224,7 +224,9 @@ void Foam::dew::particleEngine::checkInside
 {
     (void)mesh_.tetBasePtIs();      // built by all ranks together
 
-    const boundBox local(mesh_.points(), false);
+    // The axis of a wedge is on its bounds
+    boundBox local(mesh_.points(), false);
+    local.inflate(1e-9);
     labelList inside(list.size(), Zero);
 
     forAll(inside, i)

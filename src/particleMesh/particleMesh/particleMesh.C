@@ -176,6 +176,9 @@ void Foam::dew::particleMesh::correct
         const scalar radius = 0.5*diameters[k];
         const point centre(symmetry().fold(x_[k]));
 
+        // Turned to the middle plane, the same at any azimuth
+        const point turned(symmetry().unfold(centre, centre));
+
         planes.cuts(centre, hostCell[k], reach*radius, near);
         if (near.empty())
         {
@@ -191,7 +194,7 @@ void Foam::dew::particleMesh::correct
             vector away(radius*stencil_.offset[s]);
             if (symmetry().wedge())
             {
-                away = symmetry().fold(x_[k] + away) - centre;
+                away = symmetry().fold(turned + away) - centre;
             }
             bool inside = true;
             for (const cellPlanes::cut& plane : near)
