@@ -12,6 +12,8 @@
 #include "tensor.H"
 #include "wedgePolyPatch.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dew::meshSymmetry::meshSymmetry(const polyMesh& mesh)
@@ -59,8 +61,13 @@ Foam::dew::meshSymmetry::meshSymmetry(const polyMesh& mesh)
            /returnReduce(sides[k]->size(), sumOp<label>());
     }
 
-    const vector normal = sides[0]->centreNormal();
-    const vector along = sides[0]->axis();
+    // wedgePolyPatch has them along the coordinates, to round-off
+    vector normal(sides[0]->centreNormal()), along(sides[0]->axis());
+    for (direction k = 0; k < 3; k++)
+    {
+        normal[k] = std::round(normal[k]);
+        along[k] = std::round(along[k]);
+    }
 
     // The point of both planes that is nearest to the origin
     const tensor rows(n[0], n[1], along);
@@ -100,6 +107,10 @@ Foam::dew::meshSymmetry::meshSymmetry(const polyMesh& mesh)
     }
     reduce(inner, minOp<scalar>());
     reduce(outer_, maxOp<scalar>());
+    for (direction k = 0; k < 3; k++)
+    {
+        origin_[k] = mag(origin_[k]) < 1e-12*outer_ ? 0 : origin_[k];
+    }
     hole_ = inner > 0 && inner < 1e-4*outer_ ? inner : 0;
 
     // The axis is one of the coordinates'

@@ -7,6 +7,7 @@
 #include "couplingCheck.H"
 #include "fvc.H"
 #include "unitConversion.H"
+#include "wedgeFvPatch.H"
 
 #include <cmath>
 #include <cstdio>
@@ -56,19 +57,24 @@ Foam::dew::couplingCheck::couplingCheck
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::dew::couplingCheck::cellWidth(const label celli) const
+Foam::tmp<Foam::scalarField> Foam::dew::couplingCheck::cellWidths() const
 {
-    const meshSymmetry& symmetry = exchange_.map().symmetry();
-    const scalar V = mesh_.V()[celli];
+    tmp<scalarField> twidth(new scalarField(cbrt(mesh_.V().field())));
 
-    if (symmetry.wedge())
+    // Of a wedge in the plane: its sides have the area of that
+    for (const fvPatch& patch : mesh_.boundary())
     {
-        // Through the volume of its ring
-        const scalar round =
-            constant::mathematical::twoPi*symmetry.radius(mesh_.C()[celli]);
-        return std::sqrt(symmetry.ringFactor()*V/round);
+        if (isA<wedgeFvPatch>(patch))
+        {
+            const labelUList& cells = patch.faceCells();
+            forAll(cells, facei)
+            {
+                twidth.ref()[cells[facei]] =
+                    std::sqrt(patch.magSf()[facei]);
+            }
+        }
     }
-    return std::cbrt(V);
+    return twidth;
 }
 
 
@@ -89,10 +95,20 @@ void Foam::dew::couplingCheck::printWedge(const scalar dMax) const
     }
     reduce(inner, minOp<scalar>());
 
-    const scalar angle = radToDeg(2*std::acos(symmetry.cosHalfAngle()));
-    Info<< "    Wedge mesh of " << angle << " degrees about the axis "
+    // The ring factor is 2 pi/sin(theta)
+    const scalar angle = radToDeg
+    (
+        std::asin(constant::mathematical::twoPi/symmetry.ringFactor())
+    );
+    const auto digits = [](const scalar value)
+    {
+        char text[20];
+        std::snprintf(text, sizeof(text), "%.6g", value);
+        return string(text);
+    };
+    Info<< "    Wedge mesh of " << digits(angle).c_str() << " degrees about the axis "
         << symmetry.axis() << " through " << symmetry.origin()
-        << ": it stands for " << symmetry.ringFactor() << " times its volume"
+        << ": it stands for " << digits(symmetry.ringFactor()).c_str() << " times its volume"
         << nl;
     printLine
     (
@@ -125,9 +141,10 @@ void Foam::dew::couplingCheck::print() const
     {
         const hostCells& hosts = exchange_.map().hosts();
         const List<scalar> d(hosts.map().forward(s.d));
+        const scalarField widths(cellWidths());
         forAll(d, k)
         {
-            width = max(width, d[k]/cellWidth(hosts.cells()[k]));
+            width = max(width, d[k]/widths[hosts.cells()[k]]);
             dMax = max(dMax, d[k]);
         }
         reduce(width, maxOp<scalar>());

@@ -427,7 +427,8 @@ def test_dry_run_tells_of_the_wedge(tmp_path):
     case = cloud(tmp_path, gravity=(9.81, 0, 0))
     done = case.run('cfdDemFoam', '-dry-run')
     assert done.code == 0, done.output
-    assert re.search(r'Wedge mesh of 5 degrees about the axis \(-?0 -?0 1\) through \(.*\): it stands for 72\.09', done.output)
+    assert re.search(r'Wedge mesh of 5 degrees about the axis \(0 0 1\) through \(0 0 0\): it stands for 72\.0915 times',
+                     done.output), done.output
     assert re.search(r'particle diameter over that of innermost ring +0\.2 +ok', done.output), done.output
     assert re.search(r'particle diameter over cell width +0\.4 +ok', done.output), done.output
     assert 'WARNING: gravity (9.81 0 0) is not along the axis' in done.output

@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
 #include "polyMesh.H"
+#include "processorPolyPatch.H"
 #include "PstreamReduceOps.H"
 #include "userEntry.H"
 #include "wedgePolyPatch.H"
@@ -73,10 +74,12 @@ Foam::dew::walls::patchWall::patchWall
         }
     }
 
+    // A pattern may also match the cuts between ranks
     DynamicList<label> walls;
     for (const label patchi : patches_)
     {
-        if (!isA<wedgePolyPatch>(mesh.boundaryMesh()[patchi]))
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+        if (!isA<wedgePolyPatch>(patch) && !isA<processorPolyPatch>(patch))
         {
             walls.append(patchi);
         }
