@@ -73,7 +73,7 @@ void Foam::dew::fluidSource<Type>::correct
     List<transfer> values(received.size());
     forAll(values, i)
     {
-        values[i] = transfer{received[i], sensitivity[i]};
+        values[i] = transfer{map_.toMesh(received[i], i), sensitivity[i]};
     }
 
     map_.share
@@ -130,5 +130,5 @@ Type Foam::dew::fluidSource<Type>::lost() const
         sum += V[celli]*deltaT_
            *(Sp_[celli]*(phi_[celli] - phi0_[celli]) - F_[celli]);
     }
-    return returnReduce(sum, sumOp<Type>());
+    return map_.symmetry().ringFactor()*returnReduce(sum, sumOp<Type>());
 }

@@ -14,9 +14,14 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::dew::exchangeLedger::exchangeLedger(const Time& time)
+Foam::dew::exchangeLedger::exchangeLedger
+(
+    const Time& time,
+    const bool wedge
+)
 :
-    time_(time)
+    time_(time),
+    wedge_(wedge)
 {}
 
 
@@ -61,7 +66,8 @@ void Foam::dew::exchangeLedger::print() const
     };
 
     Info<< "Exchange: volume " << digits(held).c_str()
-        << " m3, momentum to particles (" << digits(received.x()).c_str()
+        << " m3, momentum to particles "
+        << (wedge_ ? "(radial azimuthal axial) " : "") << '(' << digits(received.x()).c_str()
         << ' ' << digits(received.y()).c_str() << ' '
         << digits(received.z()).c_str() << ") N s, unbalanced "
         << relative(mag(received - lost), scale).c_str();
@@ -104,8 +110,14 @@ void Foam::dew::exchangeLedger::write()
         file_.reset(new OFstream(folder/"ledger.dat"));
         file_().precision(17);
         file_()
-            << "# time held represented clipped outside"
-            << " received.x received.y received.z lost.x lost.y lost.z scale"
+            << "# time held represented clipped outside "
+            << (
+                   wedge_
+                 ? "received.radial received.azimuthal received.axial"
+                   " lost.radial lost.azimuthal lost.axial"
+                 : "received.x received.y received.z lost.x lost.y lost.z"
+               )
+            << " scale"
             << " heatReceived heatLost heatScale" << endl;
     }
     if (file_)

@@ -81,7 +81,7 @@ Foam::dew::particleExchange::particleExchange
     ),
     momentum_(dict_, map_, fluid.U),
     kicked_(false),
-    ledger_(mesh.time()),
+    ledger_(mesh.time(), map_.symmetry().wedge()),
     relaxation_(0),
     mapTime_(0),
     exchangeTime_(0)
@@ -286,8 +286,9 @@ void Foam::dew::particleExchange::occupy()
     alphac_.correctBoundaryConditions();
 
     ledger_.held = returnReduce(held, sumOp<scalar>());
-    ledger_.represented = returnReduce(represented, sumOp<scalar>());
-    ledger_.clipped = returnReduce(clipped, sumOp<scalar>());
+    const scalar ring = map_.symmetry().ringFactor();
+    ledger_.represented = ring*returnReduce(represented, sumOp<scalar>());
+    ledger_.clipped = ring*returnReduce(clipped, sumOp<scalar>());
     ledger_.mostClipped(most);
 }
 
@@ -421,7 +422,7 @@ void Foam::dew::particleExchange::report()
     for (label i = 0; twoWay && i < state_.size(); i++)
     {
         const vector J(state_.impulse[i] + kick_[i]);
-        ledger_.received += J;
+        ledger_.received += map_.toMesh(J, i);
         ledger_.scale += mag(state_.impulse[i]) + mag(kick_[i]);
     }
     for (label i = 0; heat_ && heat_->twoWay() && i < state_.size(); i++)
@@ -432,7 +433,8 @@ void Foam::dew::particleExchange::report()
 
     reduce(ledger_.received, sumOp<vector>());
     reduce(ledger_.scale, sumOp<scalar>());
-    ledger_.lost = momentum_.source().lost();
+    ledger_.received = map_.symmetry().components(ledger_.received);
+    ledger_.lost = map_.symmetry().components(momentum_.source().lost());
     if (heat_)
     {
         reduce(ledger_.heatReceived, sumOp<scalar>());

@@ -7,7 +7,7 @@
 // What the particles see of the fluid, and the laws
 
 #include "particleExchange.H"
-#include "leastSquaresGrad.H"
+#include "linearGradient.H"
 #include "Time.H"
 
 #include <cmath>
@@ -16,24 +16,6 @@
 
 namespace
 {
-
-//- Gradient that is exact for linear fields on any mesh, at any scale; at a
-//  boundary that a cell is not right in front of, its values count as those of
-//  the point opposite the cell's centre (fvPatch::delta)
-template<class Type>
-auto linearGradient
-(
-    const Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>& field
-)
-{
-    Foam::IStringStream none("");
-    return
-        Foam::fv::leastSquaresGrad<Type>(field.mesh(), none).calcGrad
-        (
-            field, "grad(" + field.name() + ')'
-        );
-}
-
 
 template<class Type>
 void findNotFinite
@@ -85,14 +67,16 @@ void Foam::dew::particleExchange::gatherCarriers()
         g -= frameAcceleration_->value(mesh_.time().value());
     }
 
-    tmp<volTensorField> gradU;
-    tmp<volVectorField> gradT;
+    const meshSymmetry& symmetry = map_.symmetry();
+
+    tmp<tensorField> gradU;
+    tmp<vectorField> gradT;
     if (linear_)
     {
-        gradU = linearGradient(U);
+        gradU = linearGradient(U, symmetry);
         if (thermal)
         {
-            gradT = linearGradient(*fluid_.T);
+            gradT = linearGradient(*fluid_.T, symmetry);
         }
     }
 
@@ -150,6 +134,18 @@ void Foam::dew::particleExchange::gatherCarriers()
             c.gradp += other.gradp;
         }
     );
+
+    for (label i = 0; symmetry.wedge() && i < carriers.size(); i++)
+    {
+        toSpace(carriers[i], i);
+    }
+}
+
+
+void Foam::dew::particleExchange::toSpace(carrier& c, const label i) const
+{
+    c.U = map_.toSpace(c.U, i);
+    c.gradp = map_.toSpace(c.gradp, i);
 }
 
 

@@ -6,6 +6,8 @@
 
 #include "couplingCheck.H"
 #include "fvc.H"
+#include "unitConversion.H"
+#include "wedgeFvPatch.H"
 
 #include <cmath>
 #include <cstdio>
@@ -53,6 +55,77 @@ Foam::dew::couplingCheck::couplingCheck
 {}
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::scalarField> Foam::dew::couplingCheck::cellWidths() const
+{
+    tmp<scalarField> twidth(new scalarField(cbrt(mesh_.V().field())));
+
+    // Of a wedge in the plane: its sides have the area of that
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        if (isA<wedgeFvPatch>(patch))
+        {
+            const labelUList& cells = patch.faceCells();
+            forAll(cells, facei)
+            {
+                twidth.ref()[cells[facei]] =
+                    std::sqrt(patch.magSf()[facei]);
+            }
+        }
+    }
+    return twidth;
+}
+
+
+void Foam::dew::couplingCheck::printWedge(const scalar dMax) const
+{
+    const meshSymmetry& symmetry = exchange_.map().symmetry();
+
+    // Outer radius of the innermost cells
+    scalar inner = GREAT;
+    forAll(mesh_.C(), celli)
+    {
+        scalar outer = 0;
+        for (const label pointi : mesh_.cellPoints()[celli])
+        {
+            outer = max(outer, symmetry.radius(mesh_.points()[pointi]));
+        }
+        inner = min(inner, outer);
+    }
+    reduce(inner, minOp<scalar>());
+
+    // The ring factor is 2 pi/sin(theta)
+    const scalar angle = radToDeg
+    (
+        std::asin(constant::mathematical::twoPi/symmetry.ringFactor())
+    );
+    const auto digits = [](const scalar value)
+    {
+        char text[20];
+        std::snprintf(text, sizeof(text), "%.6g", value);
+        return string(text);
+    };
+    Info<< "    Wedge mesh of " << digits(angle).c_str() << " degrees about the axis "
+        << symmetry.axis() << " through " << symmetry.origin()
+        << ": it stands for " << digits(symmetry.ringFactor()).c_str() << " times its volume"
+        << nl;
+    printLine
+    (
+        "particle diameter over that of innermost ring", dMax/(2*inner),
+        exchange_.widthLimit(),
+        "Particles fill the cells at the axis: use wider ones there"
+    );
+
+    const vector& g = exchange_.g();
+    if (mag(g - symmetry.axis()*(symmetry.axis() & g)) > 1e-9*mag(g))
+    {
+        Info<< "    WARNING: gravity " << g << " is not along the axis: the"
+            << " fluid of a wedge cannot follow particles across it" << nl;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::dew::couplingCheck::print() const
@@ -64,15 +137,18 @@ void Foam::dew::couplingCheck::print() const
     exchange_.forces();
 
     // Largest particle over the width of the cell it is in
-    scalar width = 0;
+    scalar width = 0, dMax = 0;
     {
         const hostCells& hosts = exchange_.map().hosts();
         const List<scalar> d(hosts.map().forward(s.d));
+        const scalarField widths(cellWidths());
         forAll(d, k)
         {
-            width = max(width, d[k]/std::cbrt(mesh_.V()[hosts.cells()[k]]));
+            width = max(width, d[k]/widths[hosts.cells()[k]]);
+            dMax = max(dMax, d[k]);
         }
         reduce(width, maxOp<scalar>());
+        reduce(dMax, maxOp<scalar>());
     }
     label celli = -1;
     const scalar share =
@@ -124,6 +200,10 @@ void Foam::dew::couplingCheck::print() const
             "share of a cell one particle fills", share, 0.5,
             "Use a coarser mesh, or voidFraction divided"
         );
+    }
+    if (exchange_.map().symmetry().wedge())
+    {
+        printWedge(dMax);
     }
     printLine("Courant number", Co, 1, "Lower deltaT, or set adjustTimeStep");
     if (mesh_.dynamic())

@@ -98,8 +98,14 @@ void Foam::dew::particleOutput::writeCloud
     // The cloud lives where the cells are
     hosts_.correct(s.x);
     const labelUList& cells = hosts_.cells();
-    const List<point> x(hosts_.map().forward(s.x));
+    const meshSymmetry& symmetry = hosts_.symmetry();
+    List<point> x(hosts_.map().forward(s.x));
     const label n = cells.size();
+    const List<point> inSpace(symmetry.wedge() ? x : List<point>());
+    for (point& p : x)
+    {
+        p = symmetry.fold(p);
+    }
 
     const label outside = hosts_.nOutside();
     if (outside)
@@ -128,7 +134,7 @@ void Foam::dew::particleOutput::writeCloud
         );
     }
 
-    const auto write = [&](const word& name, const auto& values)
+    const auto writeHosted = [&](const word& name, const auto& values)
     {
         typedef typename std::decay<decltype(values)>::type::value_type Type;
 
@@ -143,13 +149,30 @@ void Foam::dew::particleOutput::writeCloud
                 IOobject::NO_WRITE,
                 false
             ),
-            Field<Type>(hosts_.map().forward(values))
+            Field<Type>(values)
         );
         field.writeObject(fmt, ver, cmp, n > 0);
     };
+    const auto write = [&](const word& name, const auto& values)
+    {
+        writeHosted(name, hosts_.map().forward(values));
+    };
+    const auto writeVector = [&](const word& name, const auto& values)
+    {
+        List<vector> hosted(hosts_.map().forward(values));
+        for (label i = 0; symmetry.wedge() && i < n; i++)
+        {
+            hosted[i] = symmetry.foldVector(hosted[i], inSpace[i]);
+        }
+        writeHosted(name, hosted);
+    };
 
-    write("U", s.v);
-    write("omega", s.omega);
+    writeVector("U", s.v);
+    writeVector("omega", s.omega);
+    if (symmetry.wedge())
+    {
+        writeHosted("inSpace", inSpace);
+    }
     write("d", s.d);
     write("rho", s.rho);
     write("typeId", s.type);

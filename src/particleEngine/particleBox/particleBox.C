@@ -16,13 +16,14 @@
 Foam::dew::particleBox::particleBox
 (
     const polyMesh& mesh,
+    const meshSymmetry& symmetry,
     const dictionary& dict
 )
 :
-    bounds_(mesh.bounds()),
+    bounds_(symmetry.bounds()),
     periodic_(false)
 {
-    const vector span(bounds_.span());
+    const vector span(mesh.bounds().span());
     const scalar tolerance = 1e-6;
 
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
@@ -84,7 +85,10 @@ Foam::dew::particleBox::particleBox
 
         if (axis >= 0)
         {
-            const scalar side = span[(axis + 1)%3]*span[(axis + 2)%3];
+            // The end of a wedge is a triangle
+            const scalar side =
+                (symmetry.wedge() ? 0.5 : 1)
+               *span[(axis + 1)%3]*span[(axis + 2)%3];
             axis = mag(area - side) < tolerance*side ? axis : -1;
         }
 

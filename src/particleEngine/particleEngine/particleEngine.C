@@ -51,7 +51,8 @@ Foam::dew::particleEngine::particleEngine
     ),
     mesh_(mesh),
     dict_(dict),
-    box_(mesh, dict),
+    symmetry_(mesh),
+    box_(mesh, symmetry_, dict),
     heat_(dict.getOrDefault<Switch>("heat", Switch(false))),
     nextId_(1),
     engineTime_(0),
@@ -223,13 +224,16 @@ void Foam::dew::particleEngine::checkInside
 {
     (void)mesh_.tetBasePtIs();      // built by all ranks together
 
-    const boundBox local(mesh_.points(), false);
+    // The axis of a wedge is on its bounds
+    boundBox local(mesh_.points(), false);
+    local.inflate(1e-9);
     labelList inside(list.size(), Zero);
 
     forAll(inside, i)
     {
+        const point x(symmetry_.fold(list.x[i]));
         inside[i] =
-            local.contains(list.x[i]) && mesh_.findCell(list.x[i]) >= 0;
+            local.contains(x) && mesh_.findCell(symmetry_.offAxis(x)) >= 0;
     }
     Pstream::listCombineGather(inside, maxEqOp<label>());
 
@@ -253,7 +257,7 @@ void Foam::dew::particleEngine::checkInside
         FatalIOErrorInFunction(model.dict())
             << outside << " particles of insertion '" << model.name()
             << "' lie outside the mesh; the first at " << list.x[first]
-            << nl << "The mesh spans " << mesh_.bounds() << nl
+            << nl << "The mesh spans " << box_.bounds() << nl
             << "Move them, or change the region or the mesh"
             << exit(FatalIOError);
     }
@@ -321,7 +325,7 @@ void Foam::dew::particleEngine::insertInitial()
                 FatalIOErrorInFunction(model.dict())
                     << "Of " << list.size() << " particles only " << n
                     << " lie in the engine's box; the mesh spans "
-                    << mesh_.bounds() << exit(FatalIOError);
+                    << box_.bounds() << exit(FatalIOError);
             }
             nextId_ += n;
             ledger_.insertedTotal += n;
@@ -378,7 +382,7 @@ void Foam::dew::particleEngine::insertDuring(const scalar t0, const scalar t1)
                 FatalIOErrorInFunction(model.dict())
                     << "The region of insertion '" << model.name()
                     << "' reaches out of the engine's box; the mesh spans "
-                    << mesh_.bounds() << exit(FatalIOError);
+                    << box_.bounds() << exit(FatalIOError);
             }
         }
 

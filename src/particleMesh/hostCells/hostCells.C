@@ -17,6 +17,7 @@
 Foam::dew::hostCells::hostCells(const polyMesh& mesh)
 :
     mesh_(mesh),
+    symmetry_(mesh),
     planes_(mesh),
     nOutside_(0)
 {}
@@ -105,7 +106,7 @@ void Foam::dew::hostCells::search(const UList<walker>& unresolved)
     {
         for (const walker& w : received[rank])
         {
-            answers[rank].append(mesh_.findCell(w.p));
+            answers[rank].append(mesh_.findCell(symmetry_.offAxis(w.p)));
         }
     }
     List<labelList> replies;
@@ -208,7 +209,7 @@ void Foam::dew::hostCells::correct(const UList<point>& x)
     forAll(x, i)
     {
         const host& from = guess_[i];
-        walker w{{me, i}, x[i], from.cell, 0};
+        walker w{{me, i}, symmetry_.fold(x[i]), from.cell, 0};
 
         if (from.rank != me)
         {

@@ -137,6 +137,10 @@ void Foam::dew::particleMesh::correct
 {
     hosts_.correct(x);
     x_ = hosts_.map().forward(x);
+    if (symmetry().wedge())
+    {
+        owned_ = x;
+    }
 
     const cellPlanes& planes = hosts_.planes();
     const labelUList& hostCell = hosts_.cells();
@@ -170,8 +174,12 @@ void Foam::dew::particleMesh::correct
     {
         start_.append(cell_.size());
         const scalar radius = 0.5*diameters[k];
+        const point centre(symmetry().fold(x_[k]));
 
-        planes.cuts(x_[k], hostCell[k], reach*radius, near);
+        // Turned to the middle plane, the same at any azimuth
+        const point turned(symmetry().unfold(centre, centre));
+
+        planes.cuts(centre, hostCell[k], reach*radius, near);
         if (near.empty())
         {
             cell_.append(hostCell[k]);
@@ -183,7 +191,11 @@ void Foam::dew::particleMesh::correct
         scalar inHost = 0;
         forAll(stencil_.offset, s)
         {
-            const vector away(radius*stencil_.offset[s]);
+            vector away(radius*stencil_.offset[s]);
+            if (symmetry().wedge())
+            {
+                away = symmetry().fold(turned + away) - centre;
+            }
             bool inside = true;
             for (const cellPlanes::cut& plane : near)
             {
@@ -197,7 +209,7 @@ void Foam::dew::particleMesh::correct
 
             walker w
             {
-                keys[k], x_[k] + away, hostCell[k], stencil_.weight[s], 0
+                keys[k], centre + away, hostCell[k], stencil_.weight[s], 0
             };
             if (step(w, travelling))
             {
@@ -276,7 +288,8 @@ Foam::scalar Foam::dew::particleMesh::largestShare
 std::size_t Foam::dew::particleMesh::bytes() const
 {
     return
-        hosts_.bytes() + guests_.bytes() + x_.size()*sizeof(point)
+        hosts_.bytes() + guests_.bytes()
+      + (x_.size() + owned_.size())*sizeof(point)
       + (start_.capacity() + cell_.capacity())*sizeof(label)
       + weight_.capacity()*sizeof(scalar);
 }

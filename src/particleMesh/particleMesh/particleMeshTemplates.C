@@ -15,12 +15,13 @@ void Foam::dew::particleMesh::share
 {
     const label nHosted = hosts_.cells().size();
     const List<Type> hosted(hosts_.map().forward(values));
+    const scalar part = 1/symmetry().ringFactor();
 
     for (label k = 0; k < nHosted; k++)
     {
         for (label e = start_[k]; e < start_[k+1]; e++)
         {
-            add(cell_[e], weight_[e], hosted[k]);
+            add(cell_[e], part*weight_[e], hosted[k]);
         }
     }
 
@@ -32,7 +33,7 @@ void Foam::dew::particleMesh::share
             const label k = nHosted + g;
             for (label e = start_[k]; e < start_[k+1]; e++)
             {
-                add(cell_[e], weight_[e], other[g]);
+                add(cell_[e], part*weight_[e], other[g]);
             }
         }
     }
@@ -46,14 +47,25 @@ void Foam::dew::particleMesh::scatter
     UList<Type>& sums
 ) const
 {
-    share
-    (
-        values,
+    const auto add =
         [&sums](const label celli, const scalar w, const Type& value)
         {
             sums[celli] += w*value;
+        };
+
+    if (symmetry().wedge())
+    {
+        List<Type> turned(values.size());
+        forAll(turned, i)
+        {
+            turned[i] = toMesh(values[i], i);
         }
-    );
+        share(turned, add);
+    }
+    else
+    {
+        share(values, add);
+    }
 }
 
 
@@ -76,6 +88,12 @@ void Foam::dew::particleMesh::average
         );
     };
 
+    const bool wedge = symmetry().wedge();
+    for (label i = 0; wedge && i < values.size(); i++)
+    {
+        values[i] = toMesh(values[i], i);
+    }
+
     gather
     (
         values,
@@ -86,6 +104,11 @@ void Foam::dew::particleMesh::average
         [&](const auto& cells, Type& value) { mean(value, cells); },
         [](Type& value, const Type& other) { value += other; }
     );
+
+    for (label i = 0; wedge && i < values.size(); i++)
+    {
+        values[i] = toSpace(values[i], i);
+    }
 }
 
 
@@ -115,7 +138,7 @@ void Foam::dew::particleMesh::gather
     List<Type> held(nHosted);
     for (label k = 0; k < nHosted; k++)
     {
-        hosted(hostCell[k], x_[k], cellsOf(k), held[k]);
+        hosted(hostCell[k], symmetry().fold(x_[k]), cellsOf(k), held[k]);
     }
     hosts_.map().reverse
     (

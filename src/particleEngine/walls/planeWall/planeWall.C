@@ -6,6 +6,7 @@
 
 #include "planeWall.H"
 #include "addToRunTimeSelectionTable.H"
+#include "meshSymmetry.H"
 #include "polyMesh.H"
 #include "userEntry.H"
 
@@ -64,7 +65,7 @@ Foam::dew::walls::planeWall::shapes() const
     }
 
     // A square wider than the box, cut by its six sides one after another
-    const boundBox& bb = mesh_.bounds();
+    const boundBox bb(meshSymmetry(mesh_).bounds());
     // Any direction that is not the normal's
     vector any(Zero);
     any[mag(normal_.x()) < 0.6 ? 0 : 1] = 1;
