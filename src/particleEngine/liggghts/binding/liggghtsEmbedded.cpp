@@ -208,6 +208,13 @@ void Foam::dew::liggghtsEmbedded::expect(double maxRadius, bool heat)
 }
 
 
+void Foam::dew::liggghtsEmbedded::dynamics(const dynamicsOptions& options)
+{
+    dynamics_ = options;
+    integrator().dynamics(options.overdamped, options.seed);
+}
+
+
 void Foam::dew::liggghtsEmbedded::gravity
 (
     std::function<void(double, double*)> value
