@@ -27,8 +27,10 @@ using namespace LAMMPS_NS;
 // Moment of inertia of a sphere over m R^2
 static const double inertia = 0.4;
 
-// Distance up to which ended contacts are noticed, over the sum of radii
+// Distance up to which ended contacts are noticed, over the sum of radii;
+// without inertia particles may jump a share of their radius in a sub-step
 static const double touchShell = 1.01;
+static const double wideTouchShell = 1.1;
 
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -68,7 +70,7 @@ Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
     colloid_(nullptr),
     loaded_(false),
     heated_(false),
-    overdamped_(false),
+    overdamped_(narg == 4 && std::strcmp(arg[3], "overdamped") == 0),
     seed_(1),
     maxRadius_(0),
     halves_(0),
@@ -76,9 +78,9 @@ Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
     heatFlux_(nullptr),
     capacity_(nullptr)
 {
-    if (narg != 3)
+    if (narg != 3 && !overdamped_)
     {
-        error->fix_error(FLERR, this, "takes no arguments");
+        error->fix_error(FLERR, this, "takes no argument but overdamped");
     }
 
     time_integrate = 1;
@@ -90,7 +92,10 @@ Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
     // the engine forgets a finished contact only when it rebuilds its lists:
     // a second touch before that would start with the first one's tangential
     // spring, and results would depend on when lists are built
-    neighbor->register_contact_dist_factor(touchShell);
+    neighbor->register_contact_dist_factor
+    (
+        overdamped_ ? wideTouchShell : touchShell
+    );
 
     grow_arrays(atom->nmax);
     atom->add_callback(0);

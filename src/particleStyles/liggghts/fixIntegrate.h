@@ -8,7 +8,7 @@ Class
     Foam::dew::fixIntegrate
 
 Description
-    fix ID all dew/integrate
+    fix ID all dew/integrate [overdamped]
 
     The time integrator of the particles: velocity Verlet in which the bulk
     forces Sp (U - v) + Su, the bulk torques Tp (Omega - omega) + Tu and the
@@ -121,7 +121,7 @@ private:
     bool loaded_, heated_;
 
     //- No inertia; seed of the noise
-    bool overdamped_;
+    const bool overdamped_;
     uint64_t seed_;
 
     double maxRadius_;
@@ -169,8 +169,8 @@ public:
 
     ~fixIntegrate();
 
-    //- No inertia; the seed of the noise
-    void dynamics(bool overdamped, uint64_t seed);
+    //- Seed of the noise
+    void seed(uint64_t value) { seed_ = value; }
 
     bool overdamped() const { return overdamped_; }
 

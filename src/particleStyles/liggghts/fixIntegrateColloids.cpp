@@ -342,17 +342,6 @@ void Foam::dew::fixIntegrate::endOverdamped()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dew::fixIntegrate::dynamics
-(
-    const bool overdamped,
-    const uint64_t seed
-)
-{
-    overdamped_ = overdamped;
-    seed_ = seed;
-}
-
-
 void Foam::dew::fixIntegrate::needColloids()
 {
     if (colloid_)

@@ -67,6 +67,7 @@ Foam::dew::liggghtsEmbedded::liggghtsEmbedded(const liggghtsOptions& options)
     ownMpi_(false),
     world_(MPI_COMM_NULL),
     lmp_(nullptr),
+    viscosity_(0),
     integrate_(nullptr),
     forcesValid_(false)
 {
@@ -208,10 +209,14 @@ void Foam::dew::liggghtsEmbedded::expect(double maxRadius, bool heat)
 }
 
 
-void Foam::dew::liggghtsEmbedded::dynamics(const dynamicsOptions& options)
+void Foam::dew::liggghtsEmbedded::dynamics
+(
+    const unsigned long seed,
+    const double viscosity
+)
 {
-    dynamics_ = options;
-    integrator().dynamics(options.overdamped, options.seed);
+    viscosity_ = viscosity;
+    integrator().seed(seed);
 }
 
 

@@ -62,7 +62,7 @@ class liggghtsEmbedded
     MPI_Comm world_;
     LAMMPS_NS::LAMMPS* lmp_;
     engineUnits units_;
-    dynamicsOptions dynamics_;
+    double viscosity_;
     fixIntegrate* integrate_;
 
     //- Do forces belong to the present particles?
@@ -99,7 +99,7 @@ public:
     void command(const std::string&) override;
     void units(const engineUnits& u) override { units_ = u; }
     void expect(double maxRadius, bool heat) override;
-    void dynamics(const dynamicsOptions&) override;
+    void dynamics(unsigned long seed, double viscosity) override;
     double deltaT() const override { return lmp_->update->dt*units_.time; }
     void gravity(std::function<void(double, double*)>) override;
     long add(const newParticles&) override;

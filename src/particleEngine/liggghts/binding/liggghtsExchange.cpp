@@ -106,7 +106,7 @@ void Foam::dew::liggghtsEmbedded::checkDrag(const bulkForcesView& b) const
     for (int i = 0; i < atom.nlocal; i++)
     {
         const double R = atom.radius[i]*units_.length;
-        const double least = 3*M_PI*dynamics_.viscosity*R;
+        const double least = 3*M_PI*viscosity_*R;
         const double Sp = b.Sp ? finite(b.Sp[i], atom.tag[i]) : 0;
         const bool kicked =
             b.kick

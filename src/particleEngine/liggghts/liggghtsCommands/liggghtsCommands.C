@@ -535,7 +535,11 @@ void Foam::dew::liggghtsCommands::conduction(const scalar T0)
 
 void Foam::dew::liggghtsCommands::integrator()
 {
-    add("fix integrate all dew/integrate");
+    add
+    (
+        std::string("fix integrate all dew/integrate")
+      + (overdamped_ ? " overdamped" : "")
+    );
 }
 
 

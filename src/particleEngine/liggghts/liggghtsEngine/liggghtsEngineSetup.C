@@ -63,6 +63,8 @@ Foam::dew::liggghtsEngine::liggghtsEngine
 :
     particleEngine(mesh, dict),
     native_(dict.found("input")),
+    viscosity_(0),
+    seed_(1),
     deltaT_(0),
     stableDeltaT_(0),
     library_(dict, options(mesh)),
@@ -137,7 +139,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
 
         liggghtsCommands commands
         (
-            dict_, materials_(), heat_, dynamics_.overdamped
+            dict_, materials_(), heat_, state_.overdamped
         );
         chooseTimeStep(commands);
         chooseUnits();
@@ -152,7 +154,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
         {
             e.units(units_);
             e.expect(0.5*maxDiameter_, heat_);
-            e.dynamics(dynamics_);
+            e.dynamics(seed_, viscosity_);
 
             if (mag(e.deltaT()/deltaT_ - 1) > 1e-9)
             {
@@ -246,13 +248,12 @@ void Foam::dew::liggghtsEngine::readDynamics()
     const dictionary& dict = userEntry::optionalDict(dict_, "dynamics");
 
     userEntry::onlyThese(dict, {"type", "viscosity", "seed"});
-    dynamics_.overdamped = types.getOrDefault("type", dict, false);
-    dynamics_.seed = label(userEntry::notNegativeOr(dict, "seed", dimless, 1));
-    state_.overdamped = dynamics_.overdamped;
+    state_.overdamped = types.getOrDefault("type", dict, false);
+    seed_ = label(userEntry::notNegativeOr(dict, "seed", dimless, 1));
 
-    if (dynamics_.overdamped)
+    if (state_.overdamped)
     {
-        dynamics_.viscosity =
+        viscosity_ =
             userEntry::positive(dict, "viscosity", dimDynamicViscosity);
 
         if (native_)
@@ -280,7 +281,7 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
     const dictionary& dict = userEntry::optionalDict(dict_, "timeStep");
     userEntry::onlyThese(dict, {"fraction", "deltaT"});
 
-    const scalar usual = dynamics_.overdamped ? 0.2 : 0.1;
+    const scalar usual = state_.overdamped ? 0.2 : 0.1;
     const scalar fraction =
         userEntry::positiveOr(dict, "fraction", dimless, usual);
 
@@ -294,11 +295,11 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
     scalar stable = GREAT, wanted = GREAT;
     for (label i = 0; i < materials_->size(); i++)
     {
-        if (dynamics_.overdamped)
+        if (state_.overdamped)
         {
             const scalar limit = commands.overdampedTimeStep
             (
-                i, Rmin, dynamics_.viscosity
+                i, Rmin, viscosity_
             );
             stable = min(stable, limit);
             wanted = min(wanted, fraction*limit);
