@@ -40,7 +40,17 @@ int main(int argc, char *argv[])
 {
     #include "setRootCase.H"
     #include "createTime.H"
-    #include "createMesh.H"
+
+    const fvMesh mesh
+    (
+        IOobject
+        (
+            fvMesh::defaultRegion,
+            runTime.timeName(),
+            runTime,
+            IOobject::MUST_READ
+        )
+    );
 
     IFstream is(runTime.globalPath()/"constant"/"testProperties");
     const dictionary dict(is);
@@ -51,7 +61,7 @@ int main(int argc, char *argv[])
         (
             IOobject(name, runTime.timeName(), mesh),
             mesh,
-            dimensionedVector(dims, dict.getOrDefault(name, vector(Zero)))
+            dimensionedVector(name, dims, dict.getOrDefault(name, vector(Zero)))
         );
     };
     const auto scalars = [&](const word& name, const dimensionSet& dims)
@@ -60,7 +70,7 @@ int main(int argc, char *argv[])
         (
             IOobject(name, runTime.timeName(), mesh),
             mesh,
-            dimensionedScalar(dims, dict.getOrDefault(name, scalar(0)))
+            dimensionedScalar(name, dims, dict.getOrDefault(name, scalar(0)))
         );
     };
 

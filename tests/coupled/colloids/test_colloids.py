@@ -378,9 +378,13 @@ def fluid(path, laws, dynamics=OVERDAMPED, momentum='none', n=10, spacing=4*D, *
     return case
 
 
-def test_brownian_law(tmp_path):
-    """In a fluid at rest, with T of the law: <dx^2> = 2 kB T/(6 pi mu R) t, 3 % (3e4 samples)."""
-    case = fluid(tmp_path, {'random': {'type': 'Brownian', 'T': 298.15}})
+@pytest.mark.parametrize('T', ['law', 'fluid'])
+def test_brownian_law(tmp_path, T):
+    """In a fluid at rest, with T of the law or the fluid: <dx^2> = 2 kB T/(6 pi mu R) t, 3 % (3e4 samples)."""
+    case = fluid(tmp_path, {'random': {'type': 'Brownian', **({'T': 298.15} if T == 'law' else {})}})
+    if T == 'fluid':
+        case.fields['T'] = '298.15'
+        case.transport.update(Cp=4180, kappa=0.6)
     case.mesh()
     done = case.run('cfdDemFoam', timeout=120)
     assert done.code == 0, done.output
