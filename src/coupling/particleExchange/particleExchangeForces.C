@@ -157,6 +157,8 @@ void Foam::dew::particleExchange::toSpace(carrier& c, const label i) const
 {
     c.U = map_.toSpace(c.U, i);
     c.gradp = map_.toSpace(c.gradp, i);
+    c.surface.X = map_.symmetry().unfold(c.surface.X, state_.x[i]);
+    c.surface.n = map_.toSpace(c.surface.n, i);
 }
 
 
