@@ -435,9 +435,7 @@ void Foam::dew::particleExchange::report()
     ledger_.heatReceived = 0;
     ledger_.heatScale = 0;
 
-    const bool twoWay = momentum_.scheme() != momentumExchange::schemes::none;
-
-    for (label i = 0; twoWay && i < state_.size(); i++)
+    for (label i = 0; twoWay() && i < state_.size(); i++)
     {
         const vector J(state_.impulse[i] + kick_[i]);
         ledger_.received += map_.toMesh(J, i);
