@@ -64,7 +64,7 @@ Foam::scalar Foam::dew::surfaceMotions::film::wetArea(const label facei) const
     bool someIn = false, someOut = false;
     for (const label pointi : f)
     {
-        (height(points[pointi]) < h_ ? someIn : someOut) = true;
+        (depth(points[pointi]) > 0 ? someIn : someOut) = true;
     }
     const scalar whole = mag(mesh_.faceAreas()[facei]);
     if (!someIn || !someOut)
@@ -75,7 +75,7 @@ Foam::scalar Foam::dew::surfaceMotions::film::wetArea(const label facei) const
     // Of triangles around the centre, which add up to the whole
     const point& c = mesh_.faceCentres()[facei];
     const vector n(mesh_.faceAreas()[facei]/whole);
-    const scalar sc = h_ - height(c);
+    const scalar sc = depth(c);
     scalar wet = 0;
     forAll(f, i)
     {
@@ -83,7 +83,7 @@ Foam::scalar Foam::dew::surfaceMotions::film::wetArea(const label facei) const
         const point& q = points[f.nextLabel(i)];
         wet += positivePart
         (
-            {sc, h_ - height(p), h_ - height(q)},
+            {sc, depth(p), depth(q)},
             0.5*(((p - c) ^ (q - c)) & n)
         );
     }
@@ -122,8 +122,8 @@ void Foam::dew::surfaceMotions::film::overlap()
         {
             for (const label pointi : mesh_.faces()[facei])
             {
-                const scalar z = height(mesh_.points()[pointi]);
-                (z < h_ ? someIn : someOut) = true;
+                const scalar d = depth(mesh_.points()[pointi]);
+                (d > 0 ? someIn : someOut) = true;
             }
         }
 

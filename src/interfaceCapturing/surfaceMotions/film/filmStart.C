@@ -69,6 +69,7 @@ Foam::dew::surfaceMotions::film::film
     h_(userEntry::positive(dict, "thickness", dimLength)),
     before_(h_),
     dt_(0),
+    near_(1e-9*Foam::cbrt(gMin(mesh.V().field()))),
     wetFaces_("wetFaces", alphaf_)
 {
     userEntry::onlyThese(dict, {"type", "substrate", "thickness"});
@@ -82,8 +83,9 @@ Foam::dew::surfaceMotions::film::film
     {
         FatalIOErrorInFunction(dict)
             << "The patch " << substrate_.name() << ", entry 'substrate' in "
-            << dict.dictName() << ", is not at right angles to the axis "
-            << symmetry_.axis() << " of the wedge" << nl
+            << dict.dictName()
+            << ", is not at right angles to the axis of the wedge, "
+            << symmetry_.axis() << nl
             << "Its normal is " << substrate_.normal() << exit(FatalIOError);
     }
 
