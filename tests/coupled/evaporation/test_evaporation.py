@@ -56,7 +56,7 @@ def test_balance(tmp_path, gas, energy):
     assert np.abs(lost / table.evaporated - 1).max() < 1e-5 and (table.evaporated > 0).all()
     assert (np.abs(table.stored) > 0).all() == (gas == 'transient')
     # Latent heat cools the surface
-    assert (table.Tsurface.min() < 297.5) == energy and table.Tsurface.max() <= 298.15
+    assert (table.Tsurface.min() < 297.9) == energy and table.Tsurface.max() <= 298.15
 
 
 def test_balance_to_the_end(tmp_path):
@@ -116,6 +116,19 @@ def test_cold_drop_in_humid_air(tmp_path):
     assert 283.15 < table.Tsurface[-1] < 303.15 and case.errors(output).max() < 1e-8
 
 
+def test_hotter_than_boiling(tmp_path):
+    """Substrate and air at 380 K: evaporation keeps the surface below the boiling point."""
+    case = drop(tmp_path, endTime=1, deltaT=0.2)
+    case.liquid, case.gas = BOILING_WATER, IDEAL_GAS
+    case.change['energy'] = True
+    case.T = case.T_substrate = 380.0
+    case.prepare()
+    output = case.go()
+    hottest = np.array(re.findall(r'surface at \S+ K \(\S+ to (\S+)\)', output), dtype=float)
+    assert len(hottest) == 5 and hottest.max() < 373.15 and case.errors(output).max() < 1e-8
+    assert (case.ledger().rate > 0).all()
+
+
 def test_nothing_moves(tmp_path):
     """A drop that does not evaporate has no flow at all, and keeps its volume."""
     case = drop(tmp_path, theta=70, endTime=50, deltaT=10)
@@ -161,7 +174,7 @@ def test_fixed_flux_of_a_film(tmp_path):
     assert np.abs(table.thickness / (1.03e-3 - J / 997 * table.time) - 1).max() < 1e-9
     assert table.thickness[-1] < 0.85e-3
     # Only a surface that passes from one layer to the next in a step takes liquid across their face, half wetted
-    assert table.maxU.max() < 2.01 * J / 997 and np.median(table.maxU) < 1e-12
+    assert table.maxU.max() < 2.01 * J / 997 and table.maxU[:2].max() < 1e-12
 
 
 def test_stefan_tube(tmp_path):
@@ -268,7 +281,6 @@ def test_along_another_axis(tmp_path):
 BAD = {
     'noVapourField': (dict(with_vapour=False), {}, ('needs the mass fraction', 'Y.liquid', 'evaporation { type none; }')),
     'boiling': (dict(T=400.0), {}, ('boils', '373.15', 'lower the temperature')),
-    'hotSubstrate': (dict(T_substrate=380.0, T=380.0), {'energy': True}, ('boils', 'lower the temperature of the substrate')),
     'unknownEntry': ({}, {'speed': 1}, ("Unknown entry 'speed'", 'phaseChangeProperties')),
     'unknownLaw': ({}, {'evaporation': {'type': 'HertzKnudsen'}}, ('HertzKnudsen', 'diffusion', 'fixedFlux')),
     'noLaw': ({}, {'evaporation': None}, ("'evaporation'", 'phaseChangeProperties')),

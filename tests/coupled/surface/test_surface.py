@@ -656,7 +656,7 @@ def test_film_in_oblique_cells(tmp_path):
         base = case.size[0]**2 * np.sin(2 * HALF) / 2
         assert abs((cells['alpha'] * cells['V']).sum() / (base * h) - 1) < 1e-12
         assert abs(cells['area'].sum() / base - 1) < 1e-11
-        assert ((cells['alpha'] > 0.01) & (cells['alpha'] < 0.99)).sum() >= 37
+        assert ((cells['alpha'] > 0.01) & (cells['alpha'] < 0.99)).sum() > 30
 
 
 def test_film_motion(tmp_path):

@@ -113,7 +113,10 @@ void Foam::dew::surfaceMotions::film::overlap()
         }
     }
 
-    forAll(alpha_, celli)
+    // Keeps the values before
+    scalarField& alpha = alpha_.primitiveFieldRef();
+
+    forAll(alpha, celli)
     {
         const cell& faces = mesh_.cells()[celli];
 
@@ -128,7 +131,7 @@ void Foam::dew::surfaceMotions::film::overlap()
         }
 
         area_[celli] = 0;
-        alpha_[celli] = someIn;
+        alpha[celli] = someIn;
         if (someIn && someOut)
         {
             // Nearest point of the surface
@@ -144,7 +147,7 @@ void Foam::dew::surfaceMotions::film::overlap()
                 V += out*(Sf[facei] & (Cf[facei] - origin))/3;
                 area_[celli] -= out*(Sf[facei] & up);
             }
-            alpha_[celli] = V/mesh_.V()[celli];
+            alpha[celli] = V/mesh_.V()[celli];
         }
     }
     alpha_.correctBoundaryConditions();
