@@ -82,6 +82,8 @@ Foam::dew::meshSymmetry::meshSymmetry(const polyMesh& mesh)
     // Towards the positive coordinate, whichever way the patches were named
     const vector absolute(mag(along.x()), mag(along.y()), mag(along.z()));
     axis_ = (along & absolute) < 0 ? -along : along;
+    // No minus before a zero that is printed
+    axis_ += vector::zero;
     azimuth_ = axis_ ^ radial_;
 
     if

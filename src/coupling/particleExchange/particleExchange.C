@@ -65,7 +65,11 @@ Foam::dew::particleExchange::particleExchange
     (
         voidFractionModel::New(userEntry::subDict(dict_, "voidFraction"))
     ),
-    laws_(dict_),
+    laws_
+    (
+        dict_, fluid.T,
+        fluid.psi && fluid.n && fluid.surfaceSpeed && fluid.curvature
+    ),
     map_(mesh, voidFraction_->stencil()),
     alphac_
     (
@@ -130,6 +134,20 @@ Foam::dew::particleExchange::particleExchange
         heat_.reset(new heatExchange(dict_, map_, *fluid_.T));
     }
     ledger_.thermal = bool(heat_);
+
+    if
+    (
+        state_.overdamped
+     && momentum_.scheme() == momentumExchange::schemes::semiImplicit
+    )
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'momentum' is semiImplicit, but particles in overdamped"
+            << " dynamics have no inertia: nothing that the fluid's step owes"
+            << " them could be given to them" << nl
+            << "Set 'momentum explicit;' or 'momentum none;', or dynamics of"
+            << " type inertial" << exit(FatalIOError);
+    }
 
     findMap();
     checkSize();
@@ -417,9 +435,7 @@ void Foam::dew::particleExchange::report()
     ledger_.heatReceived = 0;
     ledger_.heatScale = 0;
 
-    const bool twoWay = momentum_.scheme() != momentumExchange::schemes::none;
-
-    for (label i = 0; twoWay && i < state_.size(); i++)
+    for (label i = 0; twoWay() && i < state_.size(); i++)
     {
         const vector J(state_.impulse[i] + kick_[i]);
         ledger_.received += map_.toMesh(J, i);

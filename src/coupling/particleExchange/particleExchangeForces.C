@@ -59,7 +59,7 @@ void Foam::dew::particleExchange::gatherCarriers()
     const vectorField& gradp = fluid_.gradp;
     const vectorField& C = mesh_.C();
     const bool shared = laws_.model() == particleForceList::models::A;
-    const bool thermal = bool(heatTransfer_);
+    const bool thermal = bool(heatTransfer_) || laws_.needsTemperature();
 
     vector g(g_);
     if (frameAcceleration_)
@@ -113,8 +113,19 @@ void Foam::dew::particleExchange::gatherCarriers()
             if (thermal)
             {
                 c.T = (*fluid_.T)[celli];
+            }
+            if (heatTransfer_)
+            {
                 c.kappa = (*fluid_.kappa)[celli];
                 c.Cp = (*fluid_.Cp)[celli];
+            }
+            if (laws_.needsSurface())
+            {
+                liquidSurface& s = c.surface;
+                s.n = (*fluid_.n)[celli];
+                s.X = C[celli] + (*fluid_.psi)[celli]*s.n;
+                s.speed = (*fluid_.surfaceSpeed)[celli];
+                s.curvature = (*fluid_.curvature)[celli];
             }
             if (linear_)
             {
@@ -146,6 +157,8 @@ void Foam::dew::particleExchange::toSpace(carrier& c, const label i) const
 {
     c.U = map_.toSpace(c.U, i);
     c.gradp = map_.toSpace(c.gradp, i);
+    c.surface.X = map_.symmetry().unfold(c.surface.X, state_.x[i]);
+    c.surface.n = map_.toSpace(c.surface.n, i);
 }
 
 
@@ -162,6 +175,15 @@ void Foam::dew::particleExchange::evaluateLaws()
     {
         forces_.Qp.setSize(n);
         forces_.Tf.setSize(n);
+    }
+    forces_.kT.setSize(laws_.brownian() ? n : 0);
+    if (laws_.needsSurface())
+    {
+        forces_.surfaceX.setSize(n);
+        forces_.surfaceN.setSize(n);
+        forces_.surfaceSpeed.setSize(n);
+        forces_.surfaceCurvature.setSize(n);
+        forces_.surfaceK.setSize(n);
     }
     relaxation_ = 0;
 
@@ -193,6 +215,19 @@ void Foam::dew::particleExchange::evaluateLaws()
         forces_.Sn[i] = f.Sn;
         forces_.Sp[i] = f.Sp;
         forces_.U[i] = c.U;
+        if (laws_.brownian())
+        {
+            forces_.kT[i] = f.kT;
+        }
+        if (laws_.needsSurface())
+        {
+            const liquidSurface& s = c.surface;
+            forces_.surfaceX[i] = s.X;
+            forces_.surfaceN[i] = s.n;
+            forces_.surfaceSpeed[i] = s.speed;
+            forces_.surfaceCurvature[i] = s.curvature;
+            forces_.surfaceK[i] = s.n == vector::zero ? 0 : f.surfaceK;
+        }
         if (heatTransfer_)
         {
             forces_.Qp[i] = Qp;

@@ -16,15 +16,18 @@ void Foam::dew::bulkForces::check(const label n) const
         Su.size(), Sp.size(), U.size(),
         Tu.size(), Tp.size(), Omega.size(),
         Qu.size(), Qp.size(), Tf.size(),
-        Sn.size(), kick.size(), heatKick.size()
+        Sn.size(), kick.size(), heatKick.size(), kT.size(),
+        surfaceX.size(), surfaceN.size(), surfaceSpeed.size(),
+        surfaceCurvature.size(), surfaceK.size()
     };
     static const char* names[] =
     {
         "Su", "Sp", "U", "Tu", "Tp", "Omega", "Qu", "Qp", "Tf",
-        "Sn", "kick", "heatKick"
+        "Sn", "kick", "heatKick", "kT", "surfaceX", "surfaceN",
+        "surfaceSpeed", "surfaceCurvature", "surfaceK"
     };
 
-    for (label k = 0; k < 12; k++)
+    for (label k = 0; k < 18; k++)
     {
         if (sizes[k] != 0 && sizes[k] != n)
         {
@@ -33,11 +36,19 @@ void Foam::dew::bulkForces::check(const label n) const
                 << " entries for " << n << " particles"
                 << exit(FatalError);
         }
-        if (k < 9 && k % 3 == 1 && sizes[k] != sizes[k + 1])
+
+        // Sp, Tp, Qp; noise belongs to a friction; the surface is whole
+        const label partner =
+            k < 9 && k % 3 == 1 ? k + 1
+          : k == 12 && sizes[k] ? 1
+          : k > 12 ? 13
+          : k;
+
+        if (sizes[k] != sizes[partner])
         {
             FatalErrorInFunction
-                << "Bulk forces: " << names[k] << " without "
-                << names[k + 1]
+                << "Bulk forces: " << names[k] << " and " << names[partner]
+                << " go together"
                 << exit(FatalError);
         }
     }

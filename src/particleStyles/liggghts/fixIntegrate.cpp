@@ -5,7 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fixIntegrate.h"
-#include "../exponentialRelaxation.H"
+#include "../brownianMotion.H"
 
 #include <cmath>
 #include <cstring>
@@ -27,8 +27,10 @@ using namespace LAMMPS_NS;
 // Moment of inertia of a sphere over m R^2
 static const double inertia = 0.4;
 
-// Distance up to which ended contacts are noticed, over the sum of radii
+// Distance up to which ended contacts are noticed, over the sum of radii;
+// without inertia particles may jump a share of their radius in a sub-step
 static const double touchShell = 1.01;
+static const double wideTouchShell = 1.1;
 
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -65,17 +67,20 @@ Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
 :
     Fix(lmp, narg, arg),
     data_(nullptr),
+    colloid_(nullptr),
     loaded_(false),
     heated_(false),
+    overdamped_(narg == 4 && std::strcmp(arg[3], "overdamped") == 0),
+    seed_(1),
     maxRadius_(0),
     halves_(0),
     temperature_(nullptr),
     heatFlux_(nullptr),
     capacity_(nullptr)
 {
-    if (narg != 3)
+    if (narg != 3 && !overdamped_)
     {
-        error->fix_error(FLERR, this, "takes no arguments");
+        error->fix_error(FLERR, this, "takes no argument but overdamped");
     }
 
     time_integrate = 1;
@@ -87,7 +92,10 @@ Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
     // the engine forgets a finished contact only when it rebuilds its lists:
     // a second touch before that would start with the first one's tangential
     // spring, and results would depend on when lists are built
-    neighbor->register_contact_dist_factor(touchShell);
+    neighbor->register_contact_dist_factor
+    (
+        overdamped_ ? wideTouchShell : touchShell
+    );
 
     grow_arrays(atom->nmax);
     atom->add_callback(0);
@@ -106,6 +114,7 @@ Foam::dew::fixIntegrate::~fixIntegrate()
     atom->delete_callback(id, 0);
     atom->delete_callback(id, 1);
     memory->destroy(data_);
+    memory->destroy(colloid_);
 }
 
 
@@ -175,6 +184,14 @@ void Foam::dew::fixIntegrate::load(const bool anyTerm)
         {
             const double mc = heatCapacity(i);
             d[heatStep] = dt/mc*phi1(dt/mc*d[Qp]);
+        }
+        if (colloid_)
+        {
+            double* c = colloid_[i];
+            const ornsteinUhlenbeck noise(c[kT], m, d[Sp], dt);
+            c[noiseV] = noise.v;
+            c[noiseXV] = noise.xv;
+            c[noiseX] = noise.x;
         }
     }
 }
@@ -277,6 +294,11 @@ void Foam::dew::fixIntegrate::initial_integrate(int)
 
     halves_++;
 
+    if (overdamped_)
+    {
+        moveOverdamped();
+        return;
+    }
     if (!loaded_)
     {
         for (int i = 0; i < n; i++)
@@ -293,6 +315,11 @@ void Foam::dew::fixIntegrate::initial_integrate(int)
         }
 
         return;
+    }
+
+    if (colloid_)
+    {
+        beforeFirst();
     }
 
     for (int i = 0; i < n; i++)
@@ -318,6 +345,11 @@ void Foam::dew::fixIntegrate::initial_integrate(int)
             d[angularImpulse+k] += I*dw - dtf*torque[i][k];
         }
     }
+
+    if (colloid_)
+    {
+        afterFirst();
+    }
 }
 
 
@@ -337,7 +369,11 @@ void Foam::dew::fixIntegrate::final_integrate()
 
     halves_++;
 
-    if (!loaded_)
+    if (overdamped_)
+    {
+        endOverdamped();
+    }
+    else if (!loaded_)
     {
         for (int i = 0; i < n; i++)
         {
@@ -353,6 +389,11 @@ void Foam::dew::fixIntegrate::final_integrate()
     }
     else
     {
+        if (colloid_)
+        {
+            beforeSecond();
+        }
+
         for (int i = 0; i < n; i++)
         {
             double* d = data_[i];
@@ -374,6 +415,11 @@ void Foam::dew::fixIntegrate::final_integrate()
                 omega[i][k] += dw;
                 d[angularImpulse+k] += I*dw - dtf*torque[i][k];
             }
+        }
+
+        if (colloid_)
+        {
+            addPending();
         }
     }
 
@@ -435,18 +481,33 @@ void Foam::dew::fixIntegrate::pre_exchange()
 void Foam::dew::fixIntegrate::grow_arrays(int nmax)
 {
     memory->grow(data_, nmax, int(nColumns), "dew/integrate:data");
+    if (colloid_)
+    {
+        memory->grow
+        (
+            colloid_, nmax, int(nColloidColumns), "dew/integrate:colloid"
+        );
+    }
 }
 
 
 void Foam::dew::fixIntegrate::copy_arrays(int i, int j, int)
 {
     std::memcpy(data_[j], data_[i], nColumns*sizeof(double));
+    if (colloid_)
+    {
+        std::memcpy(colloid_[j], colloid_[i], nColloidColumns*sizeof(double));
+    }
 }
 
 
 void Foam::dew::fixIntegrate::set_arrays(int i)
 {
     std::memset(data_[i], 0, nColumns*sizeof(double));
+    if (colloid_)
+    {
+        std::memset(colloid_[i], 0, nColloidColumns*sizeof(double));
+    }
 
     // A particle without bulk terms still steps by dt/m
     const double dt = update->dt;
@@ -469,14 +530,24 @@ void Foam::dew::fixIntegrate::set_arrays(int i)
 int Foam::dew::fixIntegrate::pack_exchange(int i, double* buf)
 {
     std::memcpy(buf, data_[i], nColumns*sizeof(double));
-    return nColumns;
+    if (!colloid_)
+    {
+        return nColumns;
+    }
+    std::memcpy(buf + nColumns, colloid_[i], nColloidColumns*sizeof(double));
+    return nColumns + nColloidColumns;
 }
 
 
 int Foam::dew::fixIntegrate::unpack_exchange(int i, double* buf)
 {
     std::memcpy(data_[i], buf, nColumns*sizeof(double));
-    return nColumns;
+    if (!colloid_)
+    {
+        return nColumns;
+    }
+    std::memcpy(colloid_[i], buf + nColumns, nColloidColumns*sizeof(double));
+    return nColumns + nColloidColumns;
 }
 
 
@@ -505,5 +576,6 @@ void Foam::dew::fixIntegrate::unpack_restart(int i, int nth)
 
 double Foam::dew::fixIntegrate::memory_usage()
 {
-    return double(atom->nmax)*nColumns*sizeof(double);
+    const int n = colloid_ ? nColumns + nColloidColumns : nColumns;
+    return double(atom->nmax)*n*sizeof(double);
 }

@@ -8,7 +8,7 @@ Class
     Foam::dew::fixIntegrate
 
 Description
-    fix ID all dew/integrate
+    fix ID all dew/integrate [overdamped]
 
     The time integrator of the particles: velocity Verlet in which the bulk
     forces Sp (U - v) + Su, the bulk torques Tp (Omega - omega) + Tu and the
@@ -18,8 +18,24 @@ Description
 
     What a particle received from these terms, the impulse m dv - F dt (and
     angular impulse and heat), is accumulated with it and migrates with it. So
-    do its velocity at the start, the kick given then (as a velocity), and Sn, the part of the force Su that is not
-    counted as received.
+    do its velocity at the start, the kick given then (as a velocity), and Sn,
+    the part of the force Su that is not counted as received.
+
+    Colloids (fixIntegrateColloids.cpp) have more columns, made when they are
+    first needed: Brownian motion (brownianMotion) and the force of a liquid's
+    surface (surfaceSpring), both exact at any sub-step. The surface's impulse
+    is not counted as received; the noise is, with the drag that takes it up
+    again: what is left of both is the particle's thermal momentum.
+
+    Overdamped, particles have no inertia:
+
+        v = U + (F + Su)/Sp,    omega = Omega + (M + Tu)/Tp
+
+    by one explicit step, without a limit from the drag but with one from the
+    contacts, dt < Sp/k. Their impulse is that of the drag on this velocity.
+    Without Tp it is that of a sphere in creeping flow, Sp d^2/3, in a fluid
+    that does not rotate. Contact laws see the displacement over dt, with the
+    noise. There is no noise of rotation.
 
     Force and torque of the last sub-step are written to restarts, because
     damping contact forces depend on the half-step velocity and cannot be
@@ -30,12 +46,14 @@ Description
 
 SourceFiles
     fixIntegrate.cpp
+    fixIntegrateColloids.cpp
 \*---------------------------------------------------------------------------*/
 
 #ifndef dew_fixIntegrate_h
 #define dew_fixIntegrate_h
 
 #include <mpi.h>
+#include <cstdint>
 #include <vector>
 #include "fix.h"
 #include "departedParticle.H"
@@ -77,13 +95,34 @@ public:
         nKept = 7       // keptForce, keptTorque, kept
     };
 
+    //- Columns of colloids, engine units
+    enum colloidColumn
+    {
+        kT = 0,
+        // centre from the moving foot of the surface, normal there
+        offset = 1, normal = 4, speed = 7, curvature = 8, stiffness = 9,
+        // derived at the start of a call: ornsteinUhlenbeck
+        noiseV = 10, noiseXV = 11, noiseX = 12,
+        // within a sub-step: change of v not yet made; normal at the particle
+        // (zero without a force) and distance of its first half
+        pending = 13, springNormal = 16, springDistance = 19,
+        nColloidColumns = 20
+    };
+
 private:
 
     //- nColumns values a particle
     double** data_;
 
+    //- nColloidColumns values a particle, null without colloids
+    double** colloid_;
+
     //- Are there bulk terms at all?
     bool loaded_, heated_;
+
+    //- No inertia; seed of the noise
+    const bool overdamped_;
+    uint64_t seed_;
 
     double maxRadius_;
 
@@ -98,11 +137,50 @@ private:
     //- Throw notFinite for the first velocity that is not a number
     void checkFinite() const;
 
+    // Colloids
+
+        //- Does the surface pull this particle, how far out is it, normal
+        bool pulled(const double* c, double R, double& delta, double* m) const;
+
+        //- Way out of the surface over a time t; change of v and of the
+        //  received impulse with respect to the relaxation without it
+        double spring
+        (
+            int i, double delta, const double* m, double t,
+            double& dv, double& dJ
+        ) const;
+
+        //- Before and after the relaxation of the first and second half
+        void beforeFirst();
+        void afterFirst();
+        void beforeSecond();
+        void addPending();
+
+        //- Without inertia: velocity over the coming sub-step without noise,
+        //  and its factor for the noise along the normal m
+        void drift(int i, double* v, double* m, double& along) const;
+        void spin(int i) const;
+        void moveOverdamped();
+        void endOverdamped();
+
 public:
 
     fixIntegrate(LAMMPS_NS::LAMMPS*, int narg, char** arg);
 
     ~fixIntegrate();
+
+    //- Seed of the noise
+    void seed(uint64_t value) { seed_ = value; }
+
+    bool overdamped() const { return overdamped_; }
+
+    //- Make the columns of colloids; on all ranks
+    void needColloids();
+
+    bool colloids() const { return colloid_; }
+
+    //- Columns of colloids of a particle
+    double* colloid(int i) { return colloid_[i]; }
 
     double* operator[](int i) { return data_[i]; }
     const double* operator[](int i) const { return data_[i]; }

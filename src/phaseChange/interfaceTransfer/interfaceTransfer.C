@@ -81,6 +81,17 @@ Foam::scalar Foam::dew::interfaceTransfer::cosine
 }
 
 
+Foam::scalar Foam::dew::interfaceTransfer::latentHeat
+(
+    const filmFlux& f,
+    const scalar Ts
+) const
+{
+    // The gas may be hotter than any liquid where nothing evaporates
+    return f.N == 0 && f.dNdTs == 0 ? 0 : liquid_.hv(gas_.p0(), Ts);
+}
+
+
 void Foam::dew::interfaceTransfer::boils
 (
     const label k,
@@ -115,7 +126,6 @@ Foam::scalar Foam::dew::interfaceTransfer::findTs
     const scalar S = faces_.faces()[k].S;
     const scalar K = KG_[k] + KL_[k];
     const scalar arriving = KG_[k]*film.T + KL_[k]*TN_[k];
-    const scalar p0 = gas_.p0();
 
     scalar low = 0.5*min(film.T, TN_[k]);
     scalar high = min(2*max(film.T, TN_[k]), law_->TsMax()*(1 - 1e-12));
@@ -125,7 +135,7 @@ Foam::scalar Foam::dew::interfaceTransfer::findTs
     {
         film.Ts = Ts;
         const filmFlux f = law_->flux(film);
-        const scalar hv = liquid_.hv(p0, Ts);
+        const scalar hv = latentHeat(f, Ts);
         const scalar excess = arriving - K*Ts - f.N*hv*S;
 
         (excess > 0 ? low : high) = Ts;

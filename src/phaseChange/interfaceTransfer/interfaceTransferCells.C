@@ -66,7 +66,7 @@ void Foam::dew::interfaceTransfer::heat
     forAll(faces, k)
     {
         const interfaceFace& face = faces[k];
-        const scalar hv = liquid_.hv(p0, Ts_[k]);
+        const scalar hv = latentHeat(flux_[k], Ts_[k]);
         const scalar slope = hv*flux_[k].dNdTs*face.S;
         const scalar sum = KG_[k] + KL_[k] + slope;
         const scalar latent = hv*N_[k]*face.S - slope*Ts_[k];

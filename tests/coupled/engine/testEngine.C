@@ -25,6 +25,12 @@ Description
     Sn      (0 0 0);
     kick    (0 0 0);        // [N s], in every time step
     heatKick 0;             // [J], likewise
+    kT      4e-21;          // [J]
+    surfaceX (0 0 0);       // at time 0, moves with surfaceSpeed surfaceN
+    surfaceN (1 0 0);
+    surfaceSpeed 0;         // [m/s]
+    surfaceCurvature 0;     // [1/m]
+    surfaceK 1e-3;          // [N/m]
     poison  -1;             // step at which an array becomes NaN:
     poisoned Su;            // Su, Sn, kick or heatKick
     recordWrite file;       // at the start: a particleRecord of x and d
@@ -184,6 +190,18 @@ int main(int argc, char *argv[])
         fill("Qp", b.Qp, scalar(0));
         fill("Tf", b.Tf, scalar(0));
         fill("Qu", b.Qu, scalar(0));
+        fill("kT", b.kT, scalar(0));
+        fill("surfaceX", b.surfaceX, vector(Zero));
+        fill("surfaceN", b.surfaceN, vector(Zero));
+        fill("surfaceSpeed", b.surfaceSpeed, scalar(0));
+        fill("surfaceCurvature", b.surfaceCurvature, scalar(0));
+        fill("surfaceK", b.surfaceK, scalar(0));
+
+        for (label i = 0; i < b.surfaceX.size(); i++)
+        {
+            b.surfaceX[i] +=
+                runTime.value()*b.surfaceSpeed[i]*b.surfaceN[i];
+        }
 
         if (dict.found("gradU"))
         {

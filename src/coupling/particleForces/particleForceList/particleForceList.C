@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleForceList.H"
+#include "Brownian.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -19,9 +20,17 @@ Foam::dew::particleForceList::modelNames
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::dew::particleForceList::particleForceList(const dictionary& dict)
+Foam::dew::particleForceList::particleForceList
+(
+    const dictionary& dict,
+    const bool temperature,
+    const bool surface
+)
 :
-    model_(modelNames.getOrDefault("model", dict, models::A))
+    model_(modelNames.getOrDefault("model", dict, models::A)),
+    needsTemperature_(false),
+    needsSurface_(false),
+    brownian_(false)
 {
     const dictionary& laws = userEntry::subDict(dict, "forces");
     laws_.setSize(laws.size());
@@ -38,6 +47,8 @@ Foam::dew::particleForceList::particleForceList(const dictionary& dict)
         pressure =
             pressure
          || laws_[n - 1].reaction() == particleForce::reactions::sharedPressure;
+
+        add(laws_[n - 1], laws.subDict(e.keyword()), temperature, surface);
     }
 
     if (model_ == models::A && n > 0 && !pressure)
@@ -46,6 +57,46 @@ Foam::dew::particleForceList::particleForceList(const dictionary& dict)
             << laws.name() << ": nobody carries the particles' share of the"
             << " pressure gradient, and they have no buoyancy" << nl << endl;
     }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::particleForceList::add
+(
+    const particleForce& law,
+    const dictionary& dict,
+    const bool temperature,
+    const bool surface
+)
+{
+    const bool brownian = isA<particleForces::Brownian>(law);
+
+    if ((brownian && brownian_) || (law.needsSurface() && needsSurface_))
+    {
+        FatalIOErrorInFunction(dict)
+            << "A second law " << law.type() << ": " << dict.name() << nl
+            << "Remove one of the two" << exit(FatalIOError);
+    }
+    if (law.needsTemperature() && !temperature)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Law " << law.type() << " needs a temperature, and the fluid has"
+            << " none: " << dict.name() << nl
+            << "Add the entry 'T', e.g. T 298.15; or a field T to the start"
+            << " time" << exit(FatalIOError);
+    }
+    if (law.needsSurface() && !surface)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Law " << law.type() << " needs a solver with a liquid surface: "
+            << dict.name() << nl
+            << "Use a solver of drops, or remove the law" << exit(FatalIOError);
+    }
+
+    brownian_ = brownian_ || brownian;
+    needsTemperature_ = needsTemperature_ || law.needsTemperature();
+    needsSurface_ = needsSurface_ || law.needsSurface();
 }
 
 
@@ -80,6 +131,8 @@ Foam::dew::particleForceList::sum Foam::dew::particleForceList::total
         {
             result.Sn += f.Su + f.Sp*(c.U - p.U);
         }
+        result.kT += f.kT;
+        result.surfaceK += f.surfaceK;
     }
 
     return result;

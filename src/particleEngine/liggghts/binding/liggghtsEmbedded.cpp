@@ -67,6 +67,7 @@ Foam::dew::liggghtsEmbedded::liggghtsEmbedded(const liggghtsOptions& options)
     ownMpi_(false),
     world_(MPI_COMM_NULL),
     lmp_(nullptr),
+    viscosity_(0),
     integrate_(nullptr),
     forcesValid_(false)
 {
@@ -205,6 +206,17 @@ void Foam::dew::liggghtsEmbedded::command(const std::string& line)
 void Foam::dew::liggghtsEmbedded::expect(double maxRadius, bool heat)
 {
     integrator().expect(maxRadius/units_.length, heat);
+}
+
+
+void Foam::dew::liggghtsEmbedded::dynamics
+(
+    const unsigned long seed,
+    const double viscosity
+)
+{
+    viscosity_ = viscosity;
+    integrator().seed(seed);
 }
 
 

@@ -62,6 +62,7 @@ class liggghtsEmbedded
     MPI_Comm world_;
     LAMMPS_NS::LAMMPS* lmp_;
     engineUnits units_;
+    double viscosity_;
     fixIntegrate* integrate_;
 
     //- Do forces belong to the present particles?
@@ -71,6 +72,12 @@ class liggghtsEmbedded
     fixIntegrate& integrator();
 
     bool outsideBox() const;
+
+    //- Refuse a particle that drag does not hold
+    void checkDrag(const bulkForcesView&) const;
+
+    //- Noise and surface of the coming sub-steps
+    void pushColloids(const bulkForcesView&);
 
     //- Momentum and heat given at once
     void give(const double* kick, const double* heatKick);
@@ -92,6 +99,7 @@ public:
     void command(const std::string&) override;
     void units(const engineUnits& u) override { units_ = u; }
     void expect(double maxRadius, bool heat) override;
+    void dynamics(unsigned long seed, double viscosity) override;
     double deltaT() const override { return lmp_->update->dt*units_.time; }
     void gravity(std::function<void(double, double*)>) override;
     long add(const newParticles&) override;

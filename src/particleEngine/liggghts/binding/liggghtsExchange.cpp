@@ -12,8 +12,10 @@
 
 #include <cmath>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 
+#include "domain.h"
 #include "fix_gravity.h"
 #include "modify.h"
 
@@ -38,11 +40,13 @@ double finite(const double value, const int id)
     return value;
 }
 
-// Copy nv values a particle from or to the stored columns, times a factor
+// Copy nv values a particle from or to the stored columns, times a factor;
+// row(i) is where those of a particle are
 
+template<class Row>
 void setColumn
 (
-    Foam::dew::fixIntegrate& f,
+    const Row& row,
     const int* id,
     const int n,
     const double* from,
@@ -55,7 +59,7 @@ void setColumn
     {
         for (int k = 0; k < nv; k++)
         {
-            f[i][col + k] = from ? factor*finite(from[nv*i + k], id[i]) : 0;
+            row(i)[col + k] = from ? factor*finite(from[nv*i + k], id[i]) : 0;
         }
     }
 }
@@ -94,6 +98,96 @@ void getVectors(double** from, const int n, double* to, const double factor)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::liggghtsEmbedded::checkDrag(const bulkForcesView& b) const
+{
+    const Atom& atom = *lmp_->atom;
+
+    for (int i = 0; i < atom.nlocal; i++)
+    {
+        const double R = atom.radius[i]*units_.length;
+        const double least = 3*M_PI*viscosity_*R;
+        const double Sp = b.Sp ? finite(b.Sp[i], atom.tag[i]) : 0;
+        const bool kicked =
+            b.kick
+         && (b.kick[3*i] != 0 || b.kick[3*i + 1] != 0 || b.kick[3*i + 2] != 0);
+
+        if (Sp >= least && !kicked)
+        {
+            continue;
+        }
+
+        std::ostringstream os;
+        os.precision(6);
+        os  << "particle " << atom.tag[i] << " at ("
+            << atom.x[i][0]*units_.length << ' '
+            << atom.x[i][1]*units_.length << ' '
+            << atom.x[i][2]*units_.length << ") m ";
+        if (kicked)
+        {
+            os  << "is given momentum at once, but overdamped dynamics know no"
+                " inertia. Use 'momentum explicit' or 'none', or dynamics of"
+                " type inertial";
+        }
+        else if (Sp > 0)
+        {
+            os  << "has the drag coefficient " << Sp << " N s/m, less than half"
+                " that of creeping flow in the viscosity of the entry dynamics,"
+                " " << 2*least << " N s/m, from which the sub-step was chosen."
+                " Lower the entry viscosity";
+        }
+        else
+        {
+            os  << "has no drag: overdamped dynamics need Sp > 0. Add a drag"
+                " law to coupling.forces, or keep the particle in the fluid";
+        }
+        throw std::runtime_error(os.str());
+    }
+}
+
+
+void Foam::dew::liggghtsEmbedded::pushColloids(const bulkForcesView& b)
+{
+    typedef fixIntegrate f;
+    fixIntegrate& data = integrator();
+    const int n = size();
+    const Atom& atom = *lmp_->atom;
+    const Domain& box = *lmp_->domain;
+    const engineUnits& u = units_;
+
+    const auto set = [&](const double* from, int col, int nv, double factor)
+    {
+        setColumn
+        (
+            [&data](int i) { return data.colloid(i); }, atom.tag, n, from, col,
+            nv, factor
+        );
+    };
+
+    set(b.kT, f::kT, 1, 1/(u.force()*u.length));
+    set(b.surfaceX, f::offset, 3, 1/u.length);
+    set(b.surfaceN, f::normal, 3, 1);
+    set(b.surfaceSpeed, f::speed, 1, 1/u.velocity());
+    set(b.surfaceCurvature, f::curvature, 1, u.length);
+    set(b.surfaceK, f::stiffness, 1, u.length/u.force());
+
+    for (int i = 0; i < n; i++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            double& y = data.colloid(i)[f::offset + k];
+            y = atom.x[i][k] - y;
+
+            // The engine wraps later than the state
+            if (box.periodicity[k])
+            {
+                const double span = box.boxhi[k] - box.boxlo[k];
+                y -= span*std::round(y/span);
+            }
+        }
+    }
+}
+
 
 void Foam::dew::liggghtsEmbedded::give
 (
@@ -183,10 +277,15 @@ void Foam::dew::liggghtsEmbedded::sensitivities
     for (int i = 0; impulseSp && i < atom.nlocal; i++)
     {
         const double* d = data[i];
-        const double m = atom.rmass[i];
+        const double mass = atom.rmass[i];
         const double* dv = d + f::kick;
         const double G[3] =
-            {m*(g[0] + dv[0]), m*(g[1] + dv[1]), m*(g[2] + dv[2])};
+        {
+            mass*(g[0] + dv[0]), mass*(g[1] + dv[1]), mass*(g[2] + dv[2])
+        };
+
+        // Without inertia a free particle takes nothing to follow the fluid
+        const double m = data.overdamped() ? 0 : mass;
 
         impulseSp[i] = 0;
         if (d[f::Sp] > 0)
@@ -195,7 +294,13 @@ void Foam::dew::liggghtsEmbedded::sensitivities
             (
                 m, d + f::startVelocity, atom.v[i], d + f::impulse, G
             );
-            impulseSp[i] = u.mass*impulseSensitivity(m, d[f::Sp], t, chi);
+            impulseSp[i] =
+                u.mass
+               *(
+                    m > 0
+                  ? impulseSensitivity(m, d[f::Sp], t, chi)
+                  : chi*d[f::Sp]*t
+                );
         }
     }
 
@@ -218,6 +323,10 @@ void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
     const int* id = lmp_->atom->tag;
     const engineUnits& u = units_;
 
+    if (data.overdamped())
+    {
+        checkDrag(b);
+    }
     give(b.kick, b.heatKick);
 
     auto* gravity = dynamic_cast<fixGravity*>
@@ -230,25 +339,46 @@ void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
     }
 
     // Decided together: a particle may migrate to a rank that pushed nothing
-    int any = b.Su || b.Sn || b.Sp || b.Tu || b.Tp || b.Qu || b.Qp;
-    MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, world_);
+    int any[2] =
+    {
+        b.Su || b.Sn || b.Sp || b.Tu || b.Tp || b.Qu || b.Qp || b.surfaceK,
+        b.kT || b.surfaceK
+    };
+    MPI_Allreduce(MPI_IN_PLACE, any, 2, MPI_INT, MPI_MAX, world_);
 
-    if (!any && !data.loaded() && !data.heated())
+    if (!any[0] && !data.loaded() && !data.heated())
     {
         return;
     }
 
-    setColumn(data, id, n, b.Su, f::Su, 3, 1/u.force());
-    setColumn(data, id, n, b.Sp, f::Sp, 1, u.velocity()/u.force());
-    setColumn(data, id, n, b.U, f::U, 3, 1/u.velocity());
-    setColumn(data, id, n, b.Tu, f::Tu, 3, 1/u.torque());
-    setColumn(data, id, n, b.Tp, f::Tp, 1, 1/(u.torque()*u.time));
-    setColumn(data, id, n, b.Omega, f::Omega, 3, u.time);
-    setColumn(data, id, n, b.Qu, f::Qu, 1, 1/u.power());
-    setColumn(data, id, n, b.Qp, f::Qp, 1, 1/u.power());
-    setColumn(data, id, n, b.Tf, f::Tf, 1, 1);
+    const auto set = [&](const double* from, int col, int nv, double factor)
+    {
+        setColumn
+        (
+            [&data](int i) { return data[i]; }, id, n, from, col, nv, factor
+        );
+    };
 
-    setColumn(data, id, n, b.Sn, f::Sn, 3, 1/u.force());
+    set(b.Su, f::Su, 3, 1/u.force());
+    set(b.Sp, f::Sp, 1, u.velocity()/u.force());
+    set(b.U, f::U, 3, 1/u.velocity());
+    set(b.Tu, f::Tu, 3, 1/u.torque());
+    set(b.Tp, f::Tp, 1, 1/(u.torque()*u.time));
+    set(b.Omega, f::Omega, 3, u.time);
+    set(b.Qu, f::Qu, 1, 1/u.power());
+    set(b.Qp, f::Qp, 1, 1/u.power());
+    set(b.Tf, f::Tf, 1, 1);
+
+    set(b.Sn, f::Sn, 3, 1/u.force());
+
+    if (any[1])
+    {
+        data.needColloids();
+    }
+    if (data.colloids())
+    {
+        pushColloids(b);
+    }
 
     for (int i = 0; i < n; i++)
     {
@@ -260,7 +390,7 @@ void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
         std::memset(data[i] + f::impulse, 0, 7*sizeof(double));
     }
 
-    data.load(any);
+    data.load(any[0]);
 }
 
 

@@ -75,13 +75,15 @@ Foam::dew::liggghtsCommands::liggghtsCommands
 (
     const dictionary& dict,
     const materials& mats,
-    const bool heat
+    const bool heat,
+    const bool overdamped
 )
 :
     dict_(dict),
     contacts_(userEntry::optionalDict(dict, "contacts")),
     materials_(mats),
     heat_(heat),
+    overdamped_(overdamped),
     normal_(choice(contacts_, "normal", "Hertz", normalNames)),
     tangential_(choice(contacts_, "tangential", "history", tangentialNames)),
     rolling_(choice(contacts_, "rolling", "none", rollingNames)),
@@ -115,6 +117,21 @@ Foam::dew::liggghtsCommands::liggghtsCommands
                 }
             );
         }
+    }
+
+    if
+    (
+        overdamped_
+     && (tangential_ == "noHistory" || rolling_ == "cdt" || rolling_ == "epsd")
+    )
+    {
+        FatalIOErrorInFunction(contacts_)
+            << "Contacts in overdamped dynamics have no dashpots, but "
+            << (tangential_ == "noHistory" ? "tangential " : "rolling ")
+            << (tangential_ == "noHistory" ? tangential_ : rolling_)
+            << " in " << contacts_.dictName() << " is one" << nl
+            << "Use tangential history or none, and rolling none or epsd2"
+            << exit(FatalIOError);
     }
 }
 
@@ -166,6 +183,24 @@ void Foam::dew::liggghtsCommands::perPair
 }
 
 
+Foam::scalar Foam::dew::liggghtsCommands::hookeStiffnessOf
+(
+    const label i,
+    const label j,
+    const scalar R
+) const
+{
+    const scalar v = userEntry::positive
+    (
+        contacts_, "characteristicVelocity", dimVelocity
+    );
+    const scalar meff =
+        0.5*materials_.density(i)*4.0/3.0*constant::mathematical::pi*pow3(R);
+
+    return hookeStiffness(0.5*R, meff, materials_.effectiveModulus(i, j), v);
+}
+
+
 std::string Foam::dew::liggghtsCommands::model() const
 {
     // The engine insists on this order
@@ -201,10 +236,6 @@ Foam::scalar Foam::dew::liggghtsCommands::timeStep
 
     if (normal_ == "Hooke")
     {
-        const scalar v = userEntry::positive
-        (
-            contacts_, "characteristicVelocity", dimVelocity
-        );
         const scalar meff =
             0.5*rho*4.0/3.0*constant::mathematical::pi*pow3(R);
 
@@ -212,11 +243,7 @@ Foam::scalar Foam::dew::liggghtsCommands::timeStep
         scalar least = GREAT;
         for (label j = 0; j < materials_.size(); j++)
         {
-            const scalar Kn = hookeStiffness
-            (
-                0.5*R, meff, materials_.effectiveModulus(i, j), v
-            );
-            least = min(least, hookeTime(meff, Kn));
+            least = min(least, hookeTime(meff, hookeStiffnessOf(i, j, R)));
         }
         return fraction/0.1*least/50;
     }
@@ -225,6 +252,27 @@ Foam::scalar Foam::dew::liggghtsCommands::timeStep
     (
         R, rho, materials_.shearModulus(i), materials_.poissonsRatio(i)
     );
+}
+
+
+Foam::scalar Foam::dew::liggghtsCommands::overdampedTimeStep
+(
+    const label i,
+    const scalar R,
+    const scalar mu
+) const
+{
+    scalar least = GREAT;
+    for (label j = 0; j < materials_.size(); j++)
+    {
+        const scalar k =
+            normal_ == "Hooke"
+          ? hookeStiffnessOf(i, j, R)
+          : hertzStiffness(R, materials_.effectiveModulus(i, j));
+        least = min(least, overdampedTime(R, mu, k));
+    }
+
+    return least;
 }
 
 
@@ -299,7 +347,24 @@ void Foam::dew::liggghtsCommands::contact(const scalar skin)
         perMaterial("thermalCapacity", cp);
     }
 
-    perPair("coefficientRestitution", "restitution", dimless, 0.05, 1, 1);
+    if (overdamped_)
+    {
+        const label n = materials_.size();
+        std::string line
+        (
+            "fix coefficientRestitution all property/global"
+            " coefficientRestitution peratomtypepair " + std::to_string(n)
+        );
+        for (label k = 0; k < n*n; k++)
+        {
+            line += " 1";
+        }
+        add(line);
+    }
+    else
+    {
+        perPair("coefficientRestitution", "restitution", dimless, 0.05, 1, 1);
+    }
 
     if (tangential_ != "none")
     {
@@ -470,7 +535,11 @@ void Foam::dew::liggghtsCommands::conduction(const scalar T0)
 
 void Foam::dew::liggghtsCommands::integrator()
 {
-    add("fix integrate all dew/integrate");
+    add
+    (
+        std::string("fix integrate all dew/integrate")
+      + (overdamped_ ? " overdamped" : "")
+    );
 }
 
 

@@ -166,6 +166,12 @@ Foam::label Foam::dew::liggghtsEngine::advance
     view.Sn = data(b.Sn);
     view.kick = data(b.kick);
     view.heatKick = data(b.heatKick);
+    view.kT = data(b.kT);
+    view.surfaceX = data(b.surfaceX);
+    view.surfaceN = data(b.surfaceN);
+    view.surfaceSpeed = data(b.surfaceSpeed);
+    view.surfaceCurvature = data(b.surfaceCurvature);
+    view.surfaceK = data(b.surfaceK);
 
     library_.call
     (

@@ -8,6 +8,7 @@
 
 #include "liggghtsEngine.H"
 #include "dimensionedVector.H"
+#include "Enum.H"
 #include "fileChecksum.H"
 #include "liggghtsTimeStep.H"
 #include "OSspecific.H"
@@ -62,6 +63,8 @@ Foam::dew::liggghtsEngine::liggghtsEngine
 :
     particleEngine(mesh, dict),
     native_(dict.found("input")),
+    viscosity_(0),
+    seed_(1),
     deltaT_(0),
     stableDeltaT_(0),
     library_(dict, options(mesh)),
@@ -76,11 +79,12 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             "FoamFile", "engine", "periodic", "heat", "overlapTolerance",
             "materials", "contacts", "walls", "insertion", "timeStep", "skin",
             "processors", "commands", "input", "library", "frameAcceleration",
-            "coupling", "output"
+            "coupling", "output", "dynamics"
         }
     );
 
     readGravity();
+    readDynamics();
 
     if (native_)
     {
@@ -133,7 +137,10 @@ Foam::dew::liggghtsEngine::liggghtsEngine
                 << exit(FatalIOError);
         }
 
-        liggghtsCommands commands(dict_, materials_(), heat_);
+        liggghtsCommands commands
+        (
+            dict_, materials_(), heat_, state_.overdamped
+        );
         chooseTimeStep(commands);
         chooseUnits();
         generated(commands);
@@ -147,6 +154,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
         {
             e.units(units_);
             e.expect(0.5*maxDiameter_, heat_);
+            e.dynamics(seed_, viscosity_);
 
             if (mag(e.deltaT()/deltaT_ - 1) > 1e-9)
             {
@@ -234,13 +242,48 @@ void Foam::dew::liggghtsEngine::readGravity()
 }
 
 
+void Foam::dew::liggghtsEngine::readDynamics()
+{
+    const Enum<bool> types({{false, "inertial"}, {true, "overdamped"}});
+    const dictionary& dict = userEntry::optionalDict(dict_, "dynamics");
+
+    userEntry::onlyThese(dict, {"type", "viscosity", "seed"});
+    state_.overdamped = types.getOrDefault("type", dict, false);
+    seed_ = label(userEntry::notNegativeOr(dict, "seed", dimless, 1));
+
+    if (state_.overdamped)
+    {
+        viscosity_ =
+            userEntry::positive(dict, "viscosity", dimDynamicViscosity);
+
+        if (native_)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'input' and dynamics of type overdamped exclude each"
+                << " other: its contacts would have dashpots" << nl
+                << "Remove one of them"
+                << exit(FatalIOError);
+        }
+    }
+    else if (dict.found("viscosity"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'viscosity' in " << dict.dictName() << " is of no use for"
+            << " dynamics of type inertial" << nl
+            << "Remove it, or set 'type overdamped;'"
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
 {
     const dictionary& dict = userEntry::optionalDict(dict_, "timeStep");
     userEntry::onlyThese(dict, {"fraction", "deltaT"});
 
+    const scalar usual = state_.overdamped ? 0.2 : 0.1;
     const scalar fraction =
-        userEntry::positiveOr(dict, "fraction", dimless, 0.1);
+        userEntry::positiveOr(dict, "fraction", dimless, usual);
 
     // Any material may come in the smallest size
     scalar Rmin = GREAT;
@@ -252,6 +295,16 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
     scalar stable = GREAT, wanted = GREAT;
     for (label i = 0; i < materials_->size(); i++)
     {
+        if (state_.overdamped)
+        {
+            const scalar limit = commands.overdampedTimeStep
+            (
+                i, Rmin, viscosity_
+            );
+            stable = min(stable, limit);
+            wanted = min(wanted, fraction*limit);
+            continue;
+        }
         stable = min(stable, commands.stableTimeStep(i, Rmin));
         wanted = min(wanted, commands.timeStep(i, Rmin, fraction));
     }
@@ -301,7 +354,8 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
             << stable << " s of the contact model (smallest radius "
             << Rmin << " m)" << nl
             << "Lower timeStep.deltaT (or fraction, now " << fraction
-            << "; recommended 0.1: " << wanted*0.1/fraction << " s)"
+            << "; recommended " << usual << ": " << wanted*usual/fraction
+            << " s)"
             << exit(FatalIOError);
     }
 }

@@ -1,0 +1,359 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+// Brownian motion, the force of a liquid's surface, and particles without
+// inertia
+
+#include "fixIntegrate.h"
+#include "../brownianMotion.H"
+#include "../surfaceSpring.H"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "atom.h"
+#include "memory.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+double dot(const double* a, const double* b)
+{
+    return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+bool Foam::dew::fixIntegrate::pulled
+(
+    const double* c,
+    const double R,
+    double& delta,
+    double* m
+) const
+{
+    if (!(c[stiffness] > 0))
+    {
+        return false;
+    }
+    delta = surfaceDistance(c + offset, c + normal, c[curvature], m);
+
+    return delta > 0 && delta < R;
+}
+
+
+double Foam::dew::fixIntegrate::spring
+(
+    const int i,
+    const double delta,
+    const double* m,
+    const double t,
+    double& dv,
+    double& dJ
+) const
+{
+    const double* d = data_[i];
+    const double* c = colloid_[i];
+    const double mass = atom->rmass[i];
+    const double perMass = t/mass;
+    const double h = d[Sp]*perMass;
+    const springResponse response(h, c[stiffness]*t*perMass);
+
+    // In the frame of the surface
+    const double w = c[speed]*dot(c + normal, m);
+    const double v = dot(atom->v[i], m);
+    const double bulk = dot(d + Su, m) + d[Sp]*dot(d + U, m);
+    const double F = dot(atom->f[i], m) + bulk;
+    const double B = F - d[Sp]*w - c[stiffness]*delta;
+    const double way = t*(response.speed*(v - w) + perMass*response.force*B);
+    const double after =
+        response.keep*(v - w) + perMass*response.speed*B + w;
+
+    // What the free relaxation will do
+    const double free = perMass*phi1(h)*(F - d[Sp]*v);
+
+    dv = after - v - free;
+    dJ =
+        bulk*t - d[Sp]*(way + w*t)
+      - (mass*free - t*dot(atom->f[i], m));
+
+    return way;
+}
+
+
+void Foam::dew::fixIntegrate::beforeFirst()
+{
+    const double dt = update->dt;
+
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        double* d = data_[i];
+        double* c = colloid_[i];
+        double* x = atom->x[i];
+        const double* v = atom->v[i];
+        double* m = c + springNormal;
+        double delta = 0;
+
+        for (int k = 0; k < 3; k++)
+        {
+            c[pending+k] = 0;
+        }
+        if (!pulled(c, atom->radius[i], delta, m))
+        {
+            std::memset(m, 0, 3*sizeof(double));
+        }
+        if (!(c[stiffness] > 0))
+        {
+            continue;
+        }
+
+        // The offset moves on with the particle
+        for (int k = 0; k < 3; k++)
+        {
+            c[offset+k] -= x[k];
+        }
+        if (dot(m, m) > 0)
+        {
+            double dv, dJ, unused;
+            const double way = spring(i, delta, m, dt, unused, dJ);
+            const double a =
+                dot(atom->f[i], m) + dot(d + Su, m)
+              + d[Sp]*(dot(d + U, m) - dot(v, m));
+            const double more =
+                way + c[speed]*dot(c + normal, m)*dt
+              - dt*dot(v, m) - a*d[fullStep];
+
+            c[springDistance] = delta + spring(i, delta, m, 0.5*dt, dv, dJ);
+            for (int k = 0; k < 3; k++)
+            {
+                x[k] += more*m[k];
+                d[impulse+k] += dJ*m[k];
+                c[pending+k] = dv*m[k];
+            }
+        }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::afterFirst()
+{
+    const double dt = update->dt;
+    const uint64_t step = uint64_t(update->ntimestep);
+
+    addPending();
+
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        double* c = colloid_[i];
+        double* x = atom->x[i];
+
+        for (int k = 0; k < 3; k++)
+        {
+            c[pending+k] = 0;
+        }
+        if (c[noiseV] > 0)
+        {
+            double g[8];
+            gaussians(seed_, atom->tag[i], step, 0, g);
+            gaussians(seed_, atom->tag[i], step, 1, g + 4);
+
+            for (int k = 0; k < 3; k++)
+            {
+                x[k] += c[noiseXV]*g[k] + c[noiseX]*g[4+k];
+                c[pending+k] = c[noiseV]*g[k];
+                data_[i][impulse+k] += atom->rmass[i]*c[pending+k];
+            }
+        }
+        if (c[stiffness] > 0)
+        {
+            for (int k = 0; k < 3; k++)
+            {
+                c[offset+k] += x[k] - c[speed]*dt*c[normal+k];
+            }
+        }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::beforeSecond()
+{
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        double* c = colloid_[i];
+        const double* m = c + springNormal;
+
+        if (dot(m, m) > 0)
+        {
+            double dv, dJ;
+            spring(i, c[springDistance], m, 0.5*update->dt, dv, dJ);
+
+            for (int k = 0; k < 3; k++)
+            {
+                data_[i][impulse+k] += dJ*m[k];
+                c[pending+k] += dv*m[k];
+            }
+        }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::addPending()
+{
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            atom->v[i][k] += colloid_[i][pending+k];
+        }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::drift
+(
+    const int i,
+    double* v,
+    double* m,
+    double& along
+) const
+{
+    const double* d = data_[i];
+    const double mobility = 1/d[Sp];
+
+    for (int k = 0; k < 3; k++)
+    {
+        v[k] = d[U+k] + mobility*(atom->f[i][k] + d[Su+k]);
+        m[k] = 0;
+    }
+    along = 1;
+
+    double delta = 0;
+    if (colloid_ && pulled(colloid_[i], atom->radius[i], delta, m))
+    {
+        // Exact relaxation in the frame of the surface
+        const double* c = colloid_[i];
+        const double rate = mobility*c[stiffness];
+        const double q = rate*update->dt;
+        const double w = c[speed]*dot(c + normal, m);
+        const double free = dot(v, m);
+        const double more = phi1(q)*(free - w - rate*delta) + w - free;
+
+        for (int k = 0; k < 3; k++)
+        {
+            v[k] += more*m[k];
+        }
+        along = std::sqrt(phi1(2*q));
+    }
+    else
+    {
+        std::memset(m, 0, 3*sizeof(double));
+    }
+}
+
+
+void Foam::dew::fixIntegrate::spin(const int i) const
+{
+    const double* d = data_[i];
+    const double R = atom->radius[i];
+    const double friction = d[Tp] > 0 ? d[Tp] : 4.0/3.0*R*R*d[Sp];
+
+    for (int k = 0; k < 3; k++)
+    {
+        atom->omega[i][k] =
+            d[Omega+k] + (atom->torque[i][k] + d[Tu+k])/friction;
+    }
+}
+
+
+void Foam::dew::fixIntegrate::moveOverdamped()
+{
+    const double dt = update->dt;
+    const uint64_t step = uint64_t(update->ntimestep);
+
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        double* d = data_[i];
+        double* x = atom->x[i];
+        double* v = atom->v[i];
+        double m[3], along;
+
+        drift(i, v, m, along);
+        spin(i);
+
+        for (int k = 0; k < 3; k++)
+        {
+            d[impulse+k] += (d[Sp]*(d[U+k] - v[k]) + d[Su+k])*dt;
+            d[angularImpulse+k] -= atom->torque[i][k]*dt;
+        }
+
+        if (colloid_)
+        {
+            double* c = colloid_[i];
+
+            if (c[kT] > 0)
+            {
+                double g[4];
+                gaussians(seed_, atom->tag[i], step, 0, g);
+
+                const double width = diffusionStep(c[kT], d[Sp], dt)/dt;
+                const double less = (along - 1)*dot(g, m);
+                for (int k = 0; k < 3; k++)
+                {
+                    v[k] += width*(g[k] + less*m[k]);
+                }
+            }
+            for (int k = 0; k < 3; k++)
+            {
+                c[offset+k] += (v[k] - c[speed]*c[normal+k])*dt;
+            }
+        }
+
+        for (int k = 0; k < 3; k++)
+        {
+            x[k] += v[k]*dt;
+        }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::endOverdamped()
+{
+    // Without noise: the speed of the noise has no meaning
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        double m[3], along;
+        drift(i, atom->v[i], m, along);
+        spin(i);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::fixIntegrate::needColloids()
+{
+    if (colloid_)
+    {
+        return;
+    }
+
+    // At least one, so that all ranks know of them
+    const int n = std::max(atom->nmax, 1);
+    memory->create
+    (
+        colloid_, n, int(nColloidColumns), "dew/integrate:colloid"
+    );
+    std::memset(colloid_[0], 0, size_t(n)*nColloidColumns*sizeof(double));
+}

@@ -1,0 +1,172 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+// Brownian motion and the spring of a surface: springResponse and the rest of
+// Ornstein-Uhlenbeck against numbers computed with 120 decimal digits
+// (reference/colloids.csv; python3 reference/colloids.py writes them), noise
+// against the moments of its process, distances against spheres
+
+#include <gtest/gtest.h>
+#include "brownianMotion.H"
+#include "surfaceSpring.H"
+#include "table.H"
+
+#include <cmath>
+
+using namespace Foam::dew;
+
+TEST(surfaceSpring, responseAgainstHighPrecision)
+{
+    for (const auto& row : readTable("colloids.csv"))
+    {
+        const double h = row[0], q = row[1];
+        const springResponse r(h, q);
+        const std::string at
+        (
+            "h " + std::to_string(h) + " q " + std::to_string(q)
+        );
+
+        // Oscillations: of their amplitude, with the phase's round-off
+        const double phase = 1 + std::sqrt(q);
+        const double gone = q > h*h/4 ? std::exp(-h/2) : 0;
+        const double tiny = 1e-14*phase*gone;
+        EXPECT_NEAR
+        (
+            r.speed, row[2], 1e-13*std::fabs(row[2]) + tiny/phase
+        ) << at;
+        EXPECT_NEAR
+        (
+            r.keep, row[3], 1e-12*std::fabs(row[3]) + tiny*(1 + h/phase)
+        ) << at;
+        EXPECT_NEAR(r.force/row[4], 1, 1e-13 + tiny) << at;
+    }
+}
+
+TEST(surfaceSpring, withoutSpringItIsTheRelaxation)
+{
+    for (const double h : {1e-9, 1e-3, 0.1, 1.0, 3.0, 1e3, 1e9})
+    {
+        const springResponse r(h, 0);
+        EXPECT_NEAR(r.speed/phi1(h), 1, 1e-14) << h;
+        EXPECT_NEAR(r.force/phi2(h), 1, 1e-13) << h;
+        EXPECT_NEAR(r.keep, std::exp(-h), 1e-15 + 1e-14*std::exp(-h)) << h;
+    }
+}
+
+TEST(surfaceSpring, distanceFromPlaneAndSphere)
+{
+    const double n[3] = {0.6, 0, 0.8};
+    double m[3];
+
+    const double y[3] = {1.2, -7, 1.6};
+    EXPECT_NEAR(surfaceDistance(y, n, 0, m), 2, 1e-15);
+    EXPECT_NEAR(m[0], 0.6, 1e-15);
+
+    // Radius 5, convex and concave: the foot is at 5 n from the centre
+    const double along[3] = {0, 1, 0};
+    for (const double side : {1.0, -1.0})
+    {
+        for (const double distance : {0.3, -0.4})
+        {
+            double to[3];
+            for (int k = 0; k < 3; k++)
+            {
+                to[k] = (5 + side*distance)*along[k] - side*5*n[k];
+            }
+            EXPECT_NEAR
+            (
+                surfaceDistance(to, n, side/5, m), distance, 1e-14
+            );
+            EXPECT_NEAR(m[1], side, 1e-14);
+        }
+    }
+}
+
+TEST(brownianMotion, restAgainstHighPrecision)
+{
+    for (const auto& row : readTable("colloids.csv"))
+    {
+        EXPECT_NEAR(ornsteinUhlenbeckRest(row[0])/row[5], 1, 2e-12) << row[0];
+    }
+    EXPECT_EQ(ornsteinUhlenbeckRest(0), 0);
+}
+
+TEST(brownianMotion, variancesOfTheProcess)
+{
+    // Gillespie (1996), eqs. (3.5): with c tau^2 = 2 kT/Sp in his symbols
+    const double kT = 3, m = 0.7, dt = 0.2;
+    for (const double h : {0.03, 0.4, 5.0, 700.0})
+    {
+        const double Sp = h*m/dt;
+        const ornsteinUhlenbeck o(kT, m, Sp, dt);
+        const double e = std::exp(-h), l = kT/m;
+
+        EXPECT_NEAR(o.v*o.v/(l*(1 - e*e)), 1, 1e-13);
+        EXPECT_NEAR(o.v*o.xv/(l*dt/h*(1 - e)*(1 - e)), 1, 1e-12);
+        EXPECT_NEAR
+        (
+            (o.xv*o.xv + o.x*o.x)
+           /(l*dt*dt/(h*h)*(2*h - 3 + 4*e - e*e)), 1, 1e-10
+        );
+    }
+
+    // Without inertia, and without friction
+    const ornsteinUhlenbeck heavy(kT, m, 1e9, dt);
+    EXPECT_NEAR(std::hypot(heavy.xv, heavy.x)/diffusionStep(kT, 1e9, dt), 1, 1e-7);
+    const ornsteinUhlenbeck free(kT, m, 0, dt);
+    EXPECT_EQ(free.v, 0);
+    EXPECT_EQ(free.xv, 0);
+    EXPECT_EQ(free.x, 0);
+}
+
+TEST(brownianMotion, gaussiansAreNormalAndIndependent)
+{
+    // Standard errors of n samples: 1/sqrt(n), sqrt(2/n), sqrt(96/n); 4 of them
+    const int n = 100000;
+    double sum[4] = {0, 0, 0, 0}, two[4][4] = {}, four[4] = {0, 0, 0, 0};
+    double next = 0, other = 0;
+
+    for (int i = 0; i < n; i++)
+    {
+        double g[4], later[4], neighbour[4];
+        gaussians(1, 17, i, 0, g);
+        gaussians(1, 17, i + 1, 0, later);
+        gaussians(1, 18, i, 1, neighbour);
+        for (int a = 0; a < 4; a++)
+        {
+            sum[a] += g[a];
+            four[a] += std::pow(g[a], 4);
+            for (int b = 0; b < 4; b++)
+            {
+                two[a][b] += g[a]*g[b];
+            }
+        }
+        next += g[0]*later[0];
+        other += g[0]*neighbour[0];
+    }
+
+    for (int a = 0; a < 4; a++)
+    {
+        EXPECT_NEAR(sum[a]/n, 0, 4/std::sqrt(n));
+        EXPECT_NEAR(four[a]/n, 3, 4*std::sqrt(96.0/n));
+        for (int b = 0; b < 4; b++)
+        {
+            EXPECT_NEAR(two[a][b]/n, a == b, 4*std::sqrt(2.0/n));
+        }
+    }
+    EXPECT_NEAR(next/n, 0, 4/std::sqrt(n));
+    EXPECT_NEAR(other/n, 0, 4/std::sqrt(n));
+
+    // The same for the same, others for another seed, step or block
+    double a[4], b[4];
+    gaussians(5, 2, 3, 0, a);
+    gaussians(5, 2, 3, 0, b);
+    EXPECT_EQ(a[2], b[2]);
+    gaussians(6, 2, 3, 0, b);
+    EXPECT_NE(a[2], b[2]);
+    gaussians(5, 2, 3, 1, b);
+    EXPECT_NE(a[2], b[2]);
+}
