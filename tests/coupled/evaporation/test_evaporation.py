@@ -305,6 +305,16 @@ def test_bad_input(tmp_path, name):
     assert all(word in message for word in words), message
 
 
+def test_closed_vessel(tmp_path):
+    case = drop(tmp_path)
+    case.prepare()
+    boundary = tmp_path / 'constant/polyMesh/boundary'
+    boundary.write_text(re.sub(r'(outer\s*{\s*type\s+)patch', r'\1wall', boundary.read_text()))
+    message = case.message()
+    for word in ('closed in', 'pressure p0', 'constant/polyMesh/boundary', 'Y.liquid'):
+        assert word in message
+
+
 def test_no_liquid(tmp_path):
     case = drop(tmp_path)
     case.mesh()
