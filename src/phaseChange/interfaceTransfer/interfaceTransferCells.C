@@ -157,15 +157,19 @@ void Foam::dew::interfaceTransfer::distribute()
     faces_.toLiquid(sideAbove, above);
     faces_.toLiquid(sideBelow, below);
 
-    // Every cell of the surface must see a face: one that only touches it has
-    // one a few cells on
-    const label nRounds = 3;
+    // By the faces of the cell itself: the flux at a contact line is not that
+    // of its neighbours. A cell that only touches the surface may have none,
+    // and takes those of its neighbours, or of theirs
+    const label nRounds = 4;
     scalarField J(mesh_.nCells(), Zero);
     bitSet found(mesh_.nCells());
     for (label round = 0; round < nRounds; round++)
     {
-        neighbourSums(above);
-        neighbourSums(below);
+        if (round > 0)
+        {
+            neighbourSums(above);
+            neighbourSums(below);
+        }
 
         bool all = true;
         forAll(area, celli)
