@@ -9,6 +9,7 @@
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
+#include "neighbourSum.H"
 #include "regionSplit.H"
 #include "surfaceInterpolate.H"
 
@@ -185,57 +186,13 @@ void Foam::dew::extend
 {
     const fvMesh& mesh = U.mesh();
 
-    volScalarField known
-    (
-        IOobject("known", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar("zero", dimless, Zero)
-    );
-    forAll(U, celli)
-    {
-        known[celli] = dry[celli] < 0.5;
-        if (known[celli] < 0.5)
-        {
-            U[celli] = Zero;
-        }
-    }
+    scalarField known(1 - dry.primitiveField());
+    U.primitiveFieldRef() *= known;
 
     for (label layer = 0; layer < nLayers; layer++)
     {
-        known.correctBoundaryConditions();
-        U.correctBoundaryConditions();
-
-        vectorField sum(mesh.nCells(), Zero);
-        scalarField n(mesh.nCells(), Zero);
-        forAll(mesh.owner(), facei)
-        {
-            const label own = mesh.owner()[facei];
-            const label nei = mesh.neighbour()[facei];
-            sum[own] += known[nei]*U[nei];
-            n[own] += known[nei];
-            sum[nei] += known[own]*U[own];
-            n[nei] += known[own];
-        }
-        forAll(mesh.boundary(), patchi)
-        {
-            if (mesh.boundary()[patchi].coupled())
-            {
-                const labelUList& cells = mesh.boundary()[patchi].faceCells();
-                const scalarField k
-                (
-                    known.boundaryField()[patchi].patchNeighbourField()
-                );
-                const vectorField u
-                (
-                    U.boundaryField()[patchi].patchNeighbourField()
-                );
-                forAll(cells, facei)
-                {
-                    sum[cells[facei]] += k[facei]*u[facei];
-                    n[cells[facei]] += k[facei];
-                }
-            }
-        }
+        const vectorField sum(neighbourSum<vector>(mesh, known*U.primitiveField()));
+        const scalarField n(neighbourSum<scalar>(mesh, known));
 
         forAll(U, celli)
         {

@@ -10,42 +10,9 @@
 #include "bitSet.H"
 #include "gasModel.H"
 #include "liquidModel.H"
+#include "neighbourSum.H"
 #include "surfaceMotion.H"
 #include "syncTools.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::dew::interfaceTransfer::neighbourSums(scalarField& values) const
-{
-    volScalarField field
-    (
-        IOobject("sums", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("zero", dimless, Zero)
-    );
-    field.primitiveFieldRef() = values;
-    field.correctBoundaryConditions();
-
-    forAll(mesh_.owner(), facei)
-    {
-        const label own = mesh_.owner()[facei];
-        const label nei = mesh_.neighbour()[facei];
-        values[own] += field[nei];
-        values[nei] += field[own];
-    }
-    for (const fvPatchScalarField& patch : field.boundaryField())
-    {
-        if (patch.coupled())
-        {
-            const scalarField other(patch.patchNeighbourField());
-            forAll(other, facei)
-            {
-                values[patch.patch().faceCells()[facei]] += other[facei];
-            }
-        }
-    }
-}
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -167,8 +134,8 @@ void Foam::dew::interfaceTransfer::distribute()
     {
         if (round > 0)
         {
-            neighbourSums(above);
-            neighbourSums(below);
+            above += neighbourSum<scalar>(mesh_, above);
+            below += neighbourSum<scalar>(mesh_, below);
         }
 
         bool all = true;
