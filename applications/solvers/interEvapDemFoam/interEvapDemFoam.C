@@ -126,12 +126,12 @@ int main(int argc, char *argv[])
             interface.assemble(Y.get());
             #include "TEqn.H"
         }
-        interface.distribute();
         gas.store();
 
         // The surface gives way to it
         const scalar lost = ledger.liquidLost(runTime.deltaTValue());
         surface.evolve(lost);
+        interface.distribute();
         ledger.add(lost, runTime.deltaTValue(), phiG);
 
         // The liquid follows

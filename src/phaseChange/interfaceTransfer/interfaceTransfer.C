@@ -180,6 +180,7 @@ void Foam::dew::interfaceTransfer::move()
     N_ = 0;
     flux_ = filmFlux();
     change_ = GREAT;
+    area_ = surface_.area();
 
     scalar projected = 0;
     for (const interfaceFace& face : faces_.faces())
@@ -187,7 +188,7 @@ void Foam::dew::interfaceTransfer::move()
         projected += face.S*cosine(face);
     }
     reduce(projected, sumOp<scalar>());
-    const scalar area = gSum(surface_.area());
+    const scalar area = gSum(area_);
     areaScale_ = projected > 0 ? area/projected : 1;
 }
 

@@ -107,7 +107,9 @@ void Foam::dew::interfaceTransfer::heat
 void Foam::dew::interfaceTransfer::distribute()
 {
     const auto& faces = faces_.faces();
-    const scalarField& area = surface_.area();
+
+    // The surface was here over the step, and is there now
+    const scalarField area(0.5*(area_ + surface_.area()));
 
     // Best fit of N = J n.e: J = sum S N n.e/sum S (n.e)^2
     scalarField above(mesh_.nCells(), Zero), below(mesh_.nCells(), Zero);
