@@ -3,6 +3,8 @@
 Expected values are closed forms, written beside each test. testEngine (this folder) advances an engine under given
 bulk forces and writes what each particle received.
 """
+import sys
+
 import numpy as np
 import pytest
 
@@ -740,6 +742,88 @@ def test_plane_below_the_mesh_is_reached(tmp_path):
     # Between two bounces
     assert -3e-3 + d / 2 - 1e-3 * d < case.table(8e-2)['z'][0] < 0
     assert 'outside the mesh, and not in the cloud: 1 particles' in log
+
+
+# A command with the most memory that one of its processes held [kB]
+PEAK = """import resource, subprocess, sys
+code = subprocess.call(sys.argv[1:])
+print('peak', resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
+sys.exit(code)"""
+
+
+@pytest.mark.parametrize('before, after', [(1, 1), (2, 1), (1, 2)])
+def test_few_particles_in_a_large_box(tmp_path, before, after):
+    """A cloud of colliding particles in a box of twice its width, and in one of 1.8e8 half cutoffs cubed: the same to
+    round-off, also through a restart on other ranks (as test_restart_equals_uninterrupted), and memory that does not
+    know of the box: the empty program takes 80 MB, a bin for each half cutoff cubed 1400."""
+    d, end = 1e-6, 2e-5
+    columns, width = cloud(300, d)
+    for k in 'xyz':
+        columns[k] = columns[k] - width / 2
+    columns.update({k: columns[k] * 4 for k in ('vx', 'vy', 'vz')})
+
+    def case(name, half):
+        one = Case(tmp_path / name, lower=tuple(-h for h in half), upper=half, gravity=(0, 0, 0), deltaT=end / 4,
+                   endTime=end, writeInterval=2, timePrecision=12)
+        one.properties = properties(timeStep={'deltaT': 2e-9}, output=('cloud', 'csv'))
+        one.particles(columns)
+        one.mesh()
+        return one
+
+    small = case('small', (8e-6,)*3)
+    run_dem(small, 1)
+
+    large = case('large', (2e-4, 2e-4, 1e-4))
+    for ranks, until in ((before, end / 2), (after, end)):
+        large.control['endTime'] = until
+        large.write_dict('system/controlDict', large.control)
+        if ranks > 1:
+            large.write_dict('system/decomposeParDict', {'numberOfSubdomains': 2, 'method': 'simple',
+                                                         'simpleCoeffs': {'n': (2, 1, 1), 'delta': 1e-3}})
+            assert large.run('decomposePar', '-latestTime', '-force').code == 0
+        command = ('mpirun', '-np', ranks, 'demFoam', '-parallel') if ranks > 1 else ('demFoam',)
+        result = large.run(sys.executable, '-c', PEAK, *command)
+        assert result.code == 0, result.output
+        assert float(result.output.split('peak')[-1]) < 200e3
+        if ranks > 1 and until < end:
+            assert large.run('reconstructPar', '-latestTime').code == 0
+    assert 'continued from the restart' in result.output
+
+    a, b = (one.table(end) for one in (small, large))
+    assert len(a) == 300 and np.array_equal(a['id'], b['id'])
+    # Most of them did collide
+    assert np.sum(a['vx'] != columns['vx']) > 200
+    for names in ('x y z', 'vx vy vz', 'wx wy wz'):
+        x, y = vectors(a, names), vectors(b, names)
+        assert np.abs(x - y).max() < 1e-9 * np.abs(x).max(), names
+
+
+def test_wall_of_triangles_when_particles_are_added(tmp_path):
+    """One particle leaves in the first step and 1500 are let in: the engine is set up twice at the same time, the
+    second time with other bins. A floor of triangles still stops those that were there, all of them."""
+    d, n, step = 1e-4, 34, 5.5e-5
+    case = Case(tmp_path, upper=(1e-2, 1e-2, 2e-2), gravity=(0, 0, 0), deltaT=step, endTime=10 * step,
+                writeInterval=10)
+    # With this skin no list is rebuilt until the one that leaves, at 1 m/s, is outside: d/2 above the mesh
+    case.properties = properties(
+        skin=4, walls={'floor': {'type': 'STL', 'file': quoted('constant/floor.stl'), 'material': 'glass'}})
+    case.properties['insertion']['rain'] = {
+        'type': 'rate', 'material': 'glass', 'numberRate': 1500.5 / step, 'end': step,
+        'diameter': {'type': 'mono', 'value': d},
+        'region': {'type': 'box', 'min': (0, 0, 5e-3), 'max': (1e-2, 1e-2, 1.5e-2)}}
+    at = (np.arange(n) + 0.51) * 1e-2 / n
+    case.particles({'x': np.append(np.repeat(at, n), 5e-3), 'y': np.append(np.tile(at, n), 5e-3),
+                    'z': np.append(np.full(n * n, 1e-3 + 0.6 * d), 2e-2 - 1e-6), 'd': d,
+                    'vz': np.append(np.full(n * n, -0.1), 1.0)})
+    corners = ((0, 0), (1e-2, 0), (1e-2, 1e-2), (0, 1e-2))
+    case.write_file('constant/floor.stl', 'solid floor\n' + ''.join(
+        'facet normal 0 0 1\nouter loop\n' + ''.join(f'vertex {x} {y} 1e-3\n' for x, y in (corners[i] for i in three))
+        + 'endloop\nendfacet\n' for three in ((0, 1, 2), (0, 2, 3))) + 'endsolid floor\n')
+    case.mesh()
+    run_dem(case, 1)
+    rows = case.table(10 * step)
+    assert len(rows) == n * n + 1500
+    assert rows['vz'][rows['id'] <= n * n].min() > 0
 
 
 REFUSED = {

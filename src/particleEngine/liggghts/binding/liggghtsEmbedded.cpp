@@ -9,6 +9,7 @@
 #include "registerStyles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
@@ -21,6 +22,7 @@
 #include "integrate.h"
 #include "library.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "timer.h"
 #include "write_restart.h"
 
@@ -56,6 +58,15 @@ public:
     }
 };
 
+//- Members that no function of the engine shows
+struct neighbourBins
+:
+    public Neighbor
+{
+    static int Neighbor::* chosen() { return &neighbourBins::binsizeflag; }
+    static double Neighbor::* size() { return &neighbourBins::binsize_user; }
+};
+
 } // End namespace dew
 } // End namespace Foam
 
@@ -69,6 +80,7 @@ Foam::dew::liggghtsEmbedded::liggghtsEmbedded(const liggghtsOptions& options)
     lmp_(nullptr),
     viscosity_(0),
     integrate_(nullptr),
+    binSize_(0),
     forcesValid_(false)
 {
     int initialised = 0;
@@ -178,6 +190,94 @@ bool Foam::dew::liggghtsEmbedded::outsideBox() const
 }
 
 
+void Foam::dew::liggghtsEmbedded::limitBins()
+{
+    Neighbor& neighbour = *lmp_->neighbor;
+    int& chosen = neighbour.*neighbourBins::chosen();
+    double& size = neighbour.*neighbourBins::size();
+
+    // 0: no bins; a size chosen in native commands stays
+    if (neighbour.style == 0 || (chosen && size != binSize_))
+    {
+        return;
+    }
+
+    const Domain& box = *lmp_->domain;
+    double length[3];
+    for (int k = 0; k < 3; k++)
+    {
+        length[k] = box.triclinic
+          ? box.boxhi_bound[k] - box.boxlo_bound[k]
+          : box.boxhi[k] - box.boxlo[k];
+    }
+
+    // What the engine takes: some five bins for each particle of a bed
+    const int multi = 2;
+    const double own =
+        0.5*(neighbour.style == multi
+      ? neighbour.cutneighmin
+      : neighbour.cutneighmax);
+
+    // To empty 1e4 bins costs nothing; with fewer than 100 for each particle
+    // a bed in a corner of its box would crowd in a few of them
+    int nRanks = 1;
+    MPI_Comm_size(world_, &nRanks);
+    const double most = std::max(1e4*nRanks, 100.0*total());
+
+    const auto bins = [&length](double width)
+    {
+        double n = 1;
+        for (double l : length)
+        {
+            n *= std::max(1.0, std::floor(l/width));
+        }
+        return n;
+    };
+
+    // The engine refuses bins 100 times wider than the box
+    const double widest = 99*(*std::min_element(length, length + 3));
+    double width = own;
+    while (own > 0 && bins(width) > most && width < widest)
+    {
+        width = std::min(1.05*width, widest);
+    }
+
+    // 0: what the engine takes
+    size = width > own ? width : 0;
+    chosen = size > 0;
+    if (size == binSize_)
+    {
+        return;
+    }
+    binSize_ = size;
+
+    // The same for the bins in which the engine sorts
+    if (lmp_->atom->sortfreq > 0)
+    {
+        std::ostringstream os;
+        os.precision(17);
+        os << binSize_;
+        std::string text[] =
+        {
+            "sort", std::to_string(lmp_->atom->sortfreq), os.str()
+        };
+        char* arg[] = {&text[0][0], &text[1][0], &text[2][0]};
+        lmp_->atom->modify_params(3, arg);
+    }
+
+    // Walls of triangles keep the list of their bins, unless a run ends: a
+    // second set-up at the same step would not make them renew it
+    for (int i = 0; i < lmp_->modify->nfix; i++)
+    {
+        Fix* fix = lmp_->modify->fix[i];
+        if (std::string(fix->style).find("neighlist/mesh") == 0)
+        {
+            fix->post_run();
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::dew::liggghtsEmbedded::command(const std::string& line)
@@ -271,6 +371,7 @@ void Foam::dew::liggghtsEmbedded::setup()
     update.endstep = update.laststep;
 
     lmp_->init();
+    limitBins();
     update.integrate->setup();
     lmp_->timer->init();
     forcesValid_ = true;

@@ -65,6 +65,9 @@ class liggghtsEmbedded
     double viscosity_;
     fixIntegrate* integrate_;
 
+    //- Width of neighbour bins given to the engine, 0: its own [its units]
+    double binSize_;
+
     //- Do forces belong to the present particles?
     bool forcesValid_;
 
@@ -72,6 +75,10 @@ class liggghtsEmbedded
     fixIntegrate& integrator();
 
     bool outsideBox() const;
+
+    //- Bins wide enough to be no more than some hundred a particle, where the
+    //  engine would fill the box with bins of half a cutoff
+    void limitBins();
 
     //- Refuse a particle that drag does not hold
     void checkDrag(const bulkForcesView&) const;
