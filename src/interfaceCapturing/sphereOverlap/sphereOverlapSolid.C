@@ -7,6 +7,7 @@
 // Cells with flat faces
 
 #include "sphereOverlap.H"
+#include "boundBox.H"
 #include "fvMesh.H"
 #include "mathematicalConstants.H"
 #include "wedgePolyPatch.H"
@@ -293,6 +294,14 @@ Foam::scalar Foam::dew::sphereOverlap::faceShare
     // The sphere's section with a side of a wedge is that with the middle
     // plane in (r, z): sides are not shortened
     const pointField& points = mesh_.points();
+    if
+    (
+        faceEdge_.size()
+     && cap.radius() > 2*boundBox(points, f, false).mag()
+    )
+    {
+        return sideShare(cap, facei);
+    }
     const point middle(f.centre(points));
     discPart part;
     forAll(f, k)

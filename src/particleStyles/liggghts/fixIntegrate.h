@@ -157,8 +157,10 @@ private:
         void addPending();
 
         //- Without inertia: velocity over the coming sub-step without noise,
-        //  and its factor for the noise along the normal m
-        void drift(int i, double* v, double* m, double& along) const;
+        //  and its factor for the noise along the normal m. False for a
+        //  particle that the liquid has let go: it is at rest but for other
+        //  forces, which friction like that of the liquid slows
+        bool drift(int i, double* v, double* m, double& along) const;
         void spin(int i) const;
         void moveOverdamped();
         void endOverdamped();

@@ -221,7 +221,7 @@ void Foam::dew::fixIntegrate::addPending()
 }
 
 
-void Foam::dew::fixIntegrate::drift
+bool Foam::dew::fixIntegrate::drift
 (
     const int i,
     double* v,
@@ -240,7 +240,21 @@ void Foam::dew::fixIntegrate::drift
     along = 1;
 
     double delta = 0;
-    if (colloid_ && pulled(colloid_[i], atom->radius[i], delta, m))
+    const bool held =
+        colloid_ && pulled(colloid_[i], atom->radius[i], delta, m);
+
+    if (delta >= atom->radius[i])
+    {
+        // The liquid has let go: nothing carries the particle along
+        for (int k = 0; k < 3; k++)
+        {
+            v[k] -= d[U+k];
+        }
+        std::memset(m, 0, 3*sizeof(double));
+        return false;
+    }
+
+    if (held)
     {
         // Exact relaxation in the frame of the surface
         const double* c = colloid_[i];
@@ -260,6 +274,8 @@ void Foam::dew::fixIntegrate::drift
     {
         std::memset(m, 0, 3*sizeof(double));
     }
+
+    return true;
 }
 
 
@@ -289,10 +305,10 @@ void Foam::dew::fixIntegrate::moveOverdamped()
         double* v = atom->v[i];
         double m[3], along;
 
-        drift(i, v, m, along);
+        const bool wet = drift(i, v, m, along);
         spin(i);
 
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; wet && k < 3; k++)
         {
             d[impulse+k] += (d[Sp]*(d[U+k] - v[k]) + d[Su+k])*dt;
             d[angularImpulse+k] -= atom->torque[i][k]*dt;
@@ -302,7 +318,7 @@ void Foam::dew::fixIntegrate::moveOverdamped()
         {
             double* c = colloid_[i];
 
-            if (c[kT] > 0)
+            if (wet && c[kT] > 0)
             {
                 double g[4];
                 gaussians(seed_, atom->tag[i], step, 0, g);
