@@ -50,6 +50,8 @@ class Run:
 
     def film(self, h, r):
         """Local height [m] of a cap of height h at radius r"""
+        if h <= 0:
+            return 0*r
         radius = (self.a**2 + h**2)/(2*h)
         return np.where(r < self.a, h - radius + np.sqrt(np.maximum(radius**2 - r**2, 0)), 0)
 
