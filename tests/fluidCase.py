@@ -20,6 +20,17 @@ LEDGER = ['time', 'held', 'represented', 'clipped', 'outside', 'rx', 'ry', 'rz',
           'heatReceived', 'heatLost', 'heatScale']
 
 
+def read_field(path):
+    """Internal values of an ascii field."""
+    text = path.read_text()
+    uniform = re.search(r'internalField\s+uniform\s+(.*?);', text)
+    if uniform:
+        return np.array(uniform[1].strip('()').split(), dtype=float)
+    body = re.search(r'internalField\s+nonuniform\s+List<\w+>\s*\d+\s*\((.*?)\)\s*;', text, re.S)[1]
+    values = np.array(body.replace('(', ' ').replace(')', ' ').split(), dtype=float)
+    return values.reshape(-1, 3) if 'List<vector>' in text else values
+
+
 class FluidCase(Case):
     """A box of fluid with particles."""
 
@@ -106,10 +117,4 @@ class FluidCase(Case):
 
     def field(self, name, time, folder='.'):
         """Internal values of an ascii field."""
-        text = (self.path / folder / str(time) / name).read_text()
-        uniform = re.search(r'internalField\s+uniform\s+(.*?);', text)
-        if uniform:
-            return np.array(uniform[1].strip('()').split(), dtype=float)
-        body = re.search(r'internalField\s+nonuniform\s+List<\w+>\s*\d+\s*\((.*?)\)\s*;', text, re.S)[1]
-        values = np.array(body.replace('(', ' ').replace(')', ' ').split(), dtype=float)
-        return values.reshape(-1, 3) if 'List<vector>' in text else values
+        return read_field(self.path / folder / str(time) / name)

@@ -151,13 +151,15 @@ void Foam::dew::sphereOverlap::calculate
     scalarField allFaces(mesh_.nFaces());
     forAll(allFaces, facei)
     {
-        // A cell that is wholly in or out has such faces
+        // A cell that is wholly in or out has such faces; the sides of a
+        // wedge are wetted as their cell is
         const label own = mesh_.faceOwner()[facei];
         const label other =
             mesh_.isInternalFace(facei) ? mesh_.faceNeighbour()[facei] : own;
         allFaces[facei] =
             !cut.test(own) ? share[own]
           : !cut.test(other) ? share[other]
+          : wedge && faceEdge_[facei][0] < 0 ? share[own]
           : faceShare(cap, facei);
     }
 

@@ -291,8 +291,6 @@ Foam::scalar Foam::dew::sphereOverlap::faceShare
            *(2*r_[a] + (t0 + t1)*(r_[b] - r_[a]))/(r_[a] + r_[b]);
     }
 
-    // The sphere's section with a side of a wedge is that with the middle
-    // plane in (r, z): sides are not shortened
     const pointField& points = mesh_.points();
     if
     (

@@ -9,9 +9,114 @@
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
+#include "neighbourSum.H"
+#include "regionSplit.H"
 #include "surfaceInterpolate.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::findWetRegion
+(
+    volScalarField& alpha,
+    surfaceScalarField& a,
+    volScalarField& dry
+)
+{
+    const fvMesh& mesh = alpha.mesh();
+    const scalar least = 1e-5;
+
+    // Ways to other cells, wetted and all
+    surfaceScalarField ways(mesh.magSf());
+    forAll(mesh.boundary(), patchi)
+    {
+        if (!mesh.boundary()[patchi].coupled())
+        {
+            ways.boundaryFieldRef()[patchi] = 0;
+        }
+    }
+    const volScalarField wetted(fvc::surfaceSum(a*ways));
+    const volScalarField all(fvc::surfaceSum(ways));
+    forAll(dry, celli)
+    {
+        dry[celli] =
+            alpha[celli] <= 0 || wetted[celli] <= least*all[celli];
+    }
+    dry.correctBoundaryConditions();
+
+    boolList blocked(mesh.nFaces(), false);
+    forAll(mesh.owner(), facei)
+    {
+        blocked[facei] =
+            a[facei] <= least
+         || dry[mesh.owner()[facei]] > 0 || dry[mesh.neighbour()[facei]] > 0;
+    }
+    forAll(mesh.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+        if (patch.coupled())
+        {
+            const scalarField other
+            (
+                dry.boundaryField()[patchi].patchNeighbourField()
+            );
+            forAll(patch, facei)
+            {
+                blocked[patch.start() + facei] =
+                    a.boundaryField()[patchi][facei] <= least
+                 || dry[patch.faceCells()[facei]] > 0 || other[facei] > 0;
+            }
+        }
+    }
+
+    const regionSplit regions(mesh, blocked);
+    scalarField volume(regions.nRegions(), Zero);
+    forAll(dry, celli)
+    {
+        if (dry[celli] < 0.5)
+        {
+            volume[regions[celli]] += alpha[celli]*mesh.V()[celli];
+        }
+    }
+    Pstream::listCombineGather(volume, plusEqOp<scalar>());
+    Pstream::listCombineScatter(volume);
+    const label largest = findMax(volume);
+
+    forAll(dry, celli)
+    {
+        if (regions[celli] != largest)
+        {
+            dry[celli] = 1;
+        }
+        alpha[celli] *= 1 - dry[celli];
+    }
+    alpha.correctBoundaryConditions();
+    dry.correctBoundaryConditions();
+
+    forAll(mesh.owner(), facei)
+    {
+        if (blocked[facei] || dry[mesh.owner()[facei]] > 0)
+        {
+            a[facei] = 0;
+        }
+    }
+    forAll(mesh.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+        scalarField& ab = a.boundaryFieldRef()[patchi];
+        forAll(ab, facei)
+        {
+            if
+            (
+                blocked[patch.start() + facei]
+             || dry[patch.faceCells()[facei]] > 0
+            )
+            {
+                ab[facei] = 0;
+            }
+        }
+    }
+}
+
 
 Foam::tmp<Foam::volVectorField> Foam::dew::wetReconstruct
 (
@@ -81,57 +186,13 @@ void Foam::dew::extend
 {
     const fvMesh& mesh = U.mesh();
 
-    volScalarField known
-    (
-        IOobject("known", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar("zero", dimless, Zero)
-    );
-    forAll(U, celli)
-    {
-        known[celli] = dry[celli] < 0.5;
-        if (known[celli] < 0.5)
-        {
-            U[celli] = Zero;
-        }
-    }
+    scalarField known(1 - dry.primitiveField());
+    U.primitiveFieldRef() *= known;
 
     for (label layer = 0; layer < nLayers; layer++)
     {
-        known.correctBoundaryConditions();
-        U.correctBoundaryConditions();
-
-        vectorField sum(mesh.nCells(), Zero);
-        scalarField n(mesh.nCells(), Zero);
-        forAll(mesh.owner(), facei)
-        {
-            const label own = mesh.owner()[facei];
-            const label nei = mesh.neighbour()[facei];
-            sum[own] += known[nei]*U[nei];
-            n[own] += known[nei];
-            sum[nei] += known[own]*U[own];
-            n[nei] += known[own];
-        }
-        forAll(mesh.boundary(), patchi)
-        {
-            if (mesh.boundary()[patchi].coupled())
-            {
-                const labelUList& cells = mesh.boundary()[patchi].faceCells();
-                const scalarField k
-                (
-                    known.boundaryField()[patchi].patchNeighbourField()
-                );
-                const vectorField u
-                (
-                    U.boundaryField()[patchi].patchNeighbourField()
-                );
-                forAll(cells, facei)
-                {
-                    sum[cells[facei]] += k[facei]*u[facei];
-                    n[cells[facei]] += k[facei];
-                }
-            }
-        }
+        const vectorField sum(neighbourSum<vector>(mesh, known*U.primitiveField()));
+        const scalarField n(neighbourSum<scalar>(mesh, known));
 
         forAll(U, celli)
         {

@@ -9,6 +9,7 @@
 #include "gasModel.H"
 #include "interfaceTransfer.H"
 #include "meanRhoD.H"
+#include "neighbourSum.H"
 #include "surfaceMotion.H"
 #include "Time.H"
 
@@ -166,49 +167,17 @@ void Foam::dew::gasPhase::fillNew()
     const boolList& gas = interface_.faces().gas();
     volScalarField& Y = *Y_;
 
-    volScalarField known
-    (
-        IOobject("known", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("zero", dimless, Zero)
-    );
+    scalarField known(mesh_.nCells());
     forAll(known, celli)
     {
         known[celli] = gas[celli] && wasGas_[celli];
     }
-    known.correctBoundaryConditions();
-    Y.correctBoundaryConditions();
+    const scalarField sum
+    (
+        neighbourSum<scalar>(mesh_, known*Y.primitiveField())
+    );
+    const scalarField n(neighbourSum<scalar>(mesh_, known));
 
-    scalarField sum(mesh_.nCells(), Zero), n(mesh_.nCells(), Zero);
-    forAll(mesh_.owner(), facei)
-    {
-        const label own = mesh_.owner()[facei];
-        const label nei = mesh_.neighbour()[facei];
-        sum[own] += known[nei]*Y[nei];
-        n[own] += known[nei];
-        sum[nei] += known[own]*Y[own];
-        n[nei] += known[own];
-    }
-    forAll(mesh_.boundary(), patchi)
-    {
-        if (mesh_.boundary()[patchi].coupled())
-        {
-            const scalarField k
-            (
-                known.boundaryField()[patchi].patchNeighbourField()
-            );
-            const scalarField y
-            (
-                Y.boundaryField()[patchi].patchNeighbourField()
-            );
-            forAll(k, facei)
-            {
-                const label celli = mesh_.boundary()[patchi].faceCells()[facei];
-                sum[celli] += k[facei]*y[facei];
-                n[celli] += k[facei];
-            }
-        }
-    }
     forAll(gas, celli)
     {
         if (gas[celli] && !wasGas_[celli] && n[celli] > 0)

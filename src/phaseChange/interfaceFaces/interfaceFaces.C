@@ -138,9 +138,11 @@ void Foam::dew::interfaceFaces::correct()
                 }
             }
         }
-        else if (!polyPatch::constraintType(patch.patch().type()))
+        else
         {
-            forAll(cells, facei)
+            // Also of wedges: gas has no values in liquid cells. Empty
+            // patches have faces, but no values
+            forAll(sameGas, facei)
             {
                 const label celli = cells[facei];
                 const point& Cf = patch.Cf()[facei];

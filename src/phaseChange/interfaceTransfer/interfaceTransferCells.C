@@ -10,42 +10,9 @@
 #include "bitSet.H"
 #include "gasModel.H"
 #include "liquidModel.H"
+#include "neighbourSum.H"
 #include "surfaceMotion.H"
 #include "syncTools.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::dew::interfaceTransfer::neighbourSums(scalarField& values) const
-{
-    volScalarField field
-    (
-        IOobject("sums", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("zero", dimless, Zero)
-    );
-    field.primitiveFieldRef() = values;
-    field.correctBoundaryConditions();
-
-    forAll(mesh_.owner(), facei)
-    {
-        const label own = mesh_.owner()[facei];
-        const label nei = mesh_.neighbour()[facei];
-        values[own] += field[nei];
-        values[nei] += field[own];
-    }
-    for (const fvPatchScalarField& patch : field.boundaryField())
-    {
-        if (patch.coupled())
-        {
-            const scalarField other(patch.patchNeighbourField());
-            forAll(other, facei)
-            {
-                values[patch.patch().faceCells()[facei]] += other[facei];
-            }
-        }
-    }
-}
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -157,15 +124,19 @@ void Foam::dew::interfaceTransfer::distribute()
     faces_.toLiquid(sideAbove, above);
     faces_.toLiquid(sideBelow, below);
 
-    // Every cell of the surface must see a face: one that only touches it has
-    // one a few cells on
-    const label nRounds = 3;
+    // By the faces of the cell itself: the flux at a contact line is not that
+    // of its neighbours. A cell that only touches the surface may have none,
+    // and takes those of its neighbours, or of theirs
+    const label nRounds = 4;
     scalarField J(mesh_.nCells(), Zero);
     bitSet found(mesh_.nCells());
     for (label round = 0; round < nRounds; round++)
     {
-        neighbourSums(above);
-        neighbourSums(below);
+        if (round > 0)
+        {
+            above += neighbourSum<scalar>(mesh_, above);
+            below += neighbourSum<scalar>(mesh_, below);
+        }
 
         bool all = true;
         forAll(area, celli)

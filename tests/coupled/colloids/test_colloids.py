@@ -428,7 +428,7 @@ def test_surface_of_a_solver(tmp_path, ranks):
     case.mesh()
     if ranks > 1:
         case.decompose(ranks)
-    done = case.run('testSurface', ranks=ranks, timeout=120)
+    done = case.run('testColloidSurface', ranks=ranks, timeout=120)
     assert done.code == 0, done.output
     found = {int(i): np.array(p.split(), float) for i, p in re.findall(r'particle (\d+) \((.*?)\)', done.output)}
     end = centre + speed * 1e-2

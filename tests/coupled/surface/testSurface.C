@@ -84,8 +84,16 @@ int main(int argc, char *argv[])
         )
     );
     dew::surfaceMotion& motion = motionPtr();
-    const auto& drop =
-        refCast<dew::surfaceMotions::quasiStatic>(motion).drop();
+    const auto shape = [&]() -> dew::surfaceMotions::quasiStatic::shape
+    {
+        if (isA<dew::surfaceMotions::quasiStatic>(motion))
+        {
+            return refCast<dew::surfaceMotions::quasiStatic>(motion).drop();
+        }
+        // Of a film: volume and thickness
+        const auto measures = motion.measures();
+        return {measures[0].second(), measures[1].second(), 0};
+    };
 
     const fileName root(args.rootPath()/args.globalCaseName());
     const word rank(name(Pstream::myProcNo()));
@@ -101,6 +109,7 @@ int main(int argc, char *argv[])
         const scalar held = gSum(motion.alpha().primitiveField()*mesh.V());
         if (Pstream::master())
         {
+            const auto drop = shape();
             steps
                 << runTime.value() << ',' << held << ',' << drop.V << ','
                 << drop.a << ',' << drop.theta << '\n';

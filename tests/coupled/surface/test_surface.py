@@ -598,3 +598,148 @@ def test_packed_in_drop(tmp_path):
     apart = np.linalg.norm(x[:, None] - x[None], axis=2) + np.eye(len(x))
     assert apart.min() >= d * (1 - 1e-9)
     assert x[:, 2].max() > 0.8 * (R + zc) - d and np.hypot(x[:, 0], x[:, 1]).max() > 0.8 * A
+
+
+# --- A film
+
+def film_case(path, h, wedge=True, **keywords):
+    case = SurfaceCase(path, wedge=wedge, **keywords)
+    case.motion = {'type': 'film', 'substrate': 'substrate' if wedge else 'zMin', 'thickness': float(h)}
+    case.path.mkdir(exist_ok=True)
+    case.mesh()
+    zero = {'type': 'zeroGradient'}
+    sides = {'"(substrate|top|side)"': zero, '"(front|back)"': {'type': 'wedge'}} if wedge else {'".*"': zero}
+    case.write_dict('0/alpha.water', {'dimensions': '[0 0 0 0 0 0 0]', 'internalField': 'uniform 0',
+                                      'boundaryField': sides}, 'volScalarField')
+    return case
+
+
+@pytest.mark.parametrize('share', [0.003, 0.5, 0.777])
+@pytest.mark.parametrize('wedge', [True, False])
+def test_film(tmp_path, wedge, share):
+    """Layers of cells on a wedge and in a box: shares of cells and faces, area, distance."""
+    H = 4.6 * A
+    case = film_case(tmp_path, share * H, wedge, **({} if wedge else {'upper': (A, 1.1 * A, H), 'cells': (3, 4, 40)}))
+    case.go()
+    cells, faces, h = case.csv('cells'), case.csv('faces'), share * H
+    edges = case.edges(1) if wedge else np.linspace(0, H, 41)
+    j = np.searchsorted(edges, cells['z']) - 1
+    low, high = edges[j], edges[j + 1]
+    assert np.abs(cells['alpha'] - np.clip((h - low) / (high - low), 0, 1)).max() < 1e-11
+    # The box' half is the end of a layer
+    cut = (low < h * (1 - 1e-9)) & (h <= high * (1 + 1e-9))
+    assert np.abs(cells['area'][cut] * (high - low)[cut] / cells['V'][cut] - 1).max() < 1e-9
+    assert (cells['area'][~cut] == 0).all() and cut.sum() == (37 if wedge else 12)
+    assert np.abs(cells['psi'] - (h - cells['z'])).max() < 1e-12 * A and (cells['nz'] == 1).all()
+    assert (cells['curvature'] == 0).all() and (cells['inside'] == (cells['z'] < h)).all()
+    ways = case.csv('crossing')
+    assert (len(ways) > 10) == (share > 0.1) and np.abs(ways['z'] * (1 - ways['t']) + ways['w'] * ways['t'] - h).max(initial=0) < 1e-12 * A
+
+    # Upright faces by height, level ones all or none
+    level = np.array([np.abs(edges - v).min() < 1e-6 * A for v in faces['z']])
+    assert (faces['alphaf'][level] == (faces['z'][level] < h * (1 - 1e-9))).all()
+    k = np.searchsorted(edges, faces['z'][~level]) - 1
+    wet = np.clip((h - edges[k]) / (edges[k + 1] - edges[k]), 0, 1)
+    # The triangles at the sides of a wedge reach its axis: they have another share
+    right = np.abs(faces['y'][~level]) < 1e-9 * A if wedge else np.ones(len(k), bool)
+    assert right.sum() > 100 and np.abs(faces['alphaf'][~level] - wet)[right].max() < 1e-11
+
+
+def test_film_in_oblique_cells(tmp_path):
+    """Cells whose tops are inclined: the whole of volume and area to round-off, at any thickness."""
+    for share in (0.01, 0.3, 0.61, 0.93):
+        case = film_case(tmp_path / str(share), share * 4.6 * A)
+        case.shear = 0.8 * A
+        case.mesh()
+        case.go()
+        cells, h = case.csv('cells'), share * 4.6 * A
+        base = case.size[0]**2 * np.sin(2 * HALF) / 2
+        assert abs((cells['alpha'] * cells['V']).sum() / (base * h) - 1) < 1e-12
+        assert abs(cells['area'].sum() / base - 1) < 1e-11
+        assert ((cells['alpha'] > 0.01) & (cells['alpha'] < 0.99)).sum() > 30
+
+
+def test_film_motion(tmp_path):
+    """Thickness of every step, speed, means of faces; restart; two ranks; to the end."""
+    H, h0 = 4.6 * A, 2 * A
+    base = (4.1 * A)**2 * np.sin(2 * HALF) / 2
+    lost = base * h0 * np.array([0.1, 0.2, -0.15, 0.3, 0.15, 0.1])
+    full = film_case(tmp_path / 'full', h0, steps=6, lost=lost)
+    half, two = full.copy(tmp_path / 'half'), full.copy(tmp_path / 'two')
+    full.go()
+    table = full.step_table()
+    h = h0 * (1 - np.concatenate([[0], np.cumsum([0.1, 0.2, -0.15, 0.3, 0.15, 0.1])]))
+    assert np.allclose(table['a'], h, rtol=1e-12, atol=0)
+    assert np.allclose(table['held'], base * h, rtol=1e-11, atol=0)
+    assert np.allclose(table['V'], np.pi * (4.1 * A)**2 * h, rtol=1e-11, atol=0)
+    cells = full.csv('cells')
+    assert np.allclose(cells['speed'], (h[-1] - h[-2]) / 1e-3, rtol=1e-10, atol=0)
+    faces, edges = full.csv('faces'), full.edges(1)
+    upright = np.array([np.abs(edges - v).min() > 1e-6 * A for v in faces['z']]) & (np.abs(faces['y']) < 1e-9 * A)
+    k = np.searchsorted(edges, faces['z'][upright]) - 1
+    wet = sum(np.clip((v - edges[k]) / (edges[k + 1] - edges[k]), 0, 1) for v in h[-2:]) / 2
+    assert np.abs(faces['alphaf'][upright] - wet).max() < 1e-10
+
+    for end in (3, 6):
+        half.control.update(endTime=end * 1e-3, writeFormat='ascii', writePrecision=6)
+        half.write()
+        half.go()
+    same(full.csv('cells'), half.csv('cells'), 1e-12)
+    same(full.csv('faces'), half.csv('faces'), 1e-12)
+
+    two.decompose(2)
+    two.go(2)
+    assert np.allclose(two.step_table()['a'], table['a'], rtol=1e-12, atol=0)
+    other = two.csv('cells', 2)
+    order = [np.lexsort((np.round(t['x'] / 1e-12), np.round(t['z'] / 1e-12))) for t in (cells, other)]
+    same(cells[order[0]], other[order[1]], 1e-11)
+
+    # All of it, and more
+    full.control['startFrom'] = 'startTime'
+    for more, words in ((0, 'film: dry'), (1e-18, 'neither loses nor gains')):
+        full.lost = base * h0 * np.array([0.5, 0.4, 0.1, 0, 0, 0]) + [0, 0, 0, more, 0, 0]
+        full.write()
+        done = full.run('testSurface')
+        assert (done.code == 0) == (more == 0) and words in done.output, done.output
+    full.lost = base * h0 * np.array([0.5, 0.51, 0, 0, 0, 0])
+    full.write()
+    done = full.run('testSurface')
+    assert done.code != 0 and 'was to lose' in done.output, done.output
+
+
+FILM_BAD = {
+    'noPatch': ({'substrate': 'floor'}, ('substrate', 'floor', 'no such patch', 'side')),
+    'thickness': ({'thickness': -1.0}, ('thickness', 'greater than zero')),
+    'unknownEntry': ({'contactAngle': 60.0}, ("Unknown entry 'contactAngle'", 'thickness')),
+    'axis': ({'substrate': 'side'}, ('side', 'axis of the wedge')),
+    'curved': ({'substrate': 'front'}, ('front', 'axis of the wedge')),
+    'overflow': ({'thickness': 5 * A}, ('does not fit', 'upright')),
+}
+
+
+@pytest.mark.parametrize('name', FILM_BAD)
+def test_film_bad_input(tmp_path, name):
+    case = film_case(tmp_path, A)
+    changes, words = FILM_BAD[name]
+    case.motion.update(changes)
+    case.write()
+    done = case.run('testSurface')
+    message = re.sub(r'\s+', ' ', done.output)
+    assert done.code != 0 and message.count('FOAM FATAL') == 1, done.output
+    assert all(word in message for word in words), done.output
+
+
+def test_film_of_another_volume(tmp_path):
+    """Fields and record of other runs are refused."""
+    case = film_case(tmp_path, A, steps=2, lost=[0, 0])
+    case.control.update(writeFormat='ascii')
+    case.write()
+    case.go()
+    case.control['endTime'] = 3e-3
+    case.lost = [0, 0, 0]
+    case.write()
+    record = case.path / '0.002' / 'uniform' / 'surface'
+    text = record.read_text()
+    record.write_text(re.sub(r'thickness +\S+;', f'thickness {1.1 * A};', text))
+    done = case.run('testSurface')
+    assert done.code != 0 and 'is not that of a film' in done.output, done.output

@@ -25,7 +25,8 @@ def fresh(path, name):
 
 @pytest.mark.parametrize('name', ['demFoam/collisions', pytest.param('demFoam/packing', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
-                                  'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction'])
+                                  'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction',
+                                  'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime'])
 def test_runs_and_validates(tmp_path, name):
     case = fresh(tmp_path / 'case', name)
     done = run_command(['./Allrun'], case, 1200)
@@ -63,6 +64,24 @@ def test_validate_notices_a_wrong_dictionary(tmp_path, name, file, right, wrong)
     assert right in text
     path.write_text(text.replace(right, wrong))
     only = {'settlingSphere': 'SchillerNaumann', 'hotSphere': 'still', 'voidFraction': 'particleCentre'}[name]
+    done = run_command(['./Allrun', only], case, 300)
+    assert done.code == 0, done.output[-3000:]
+    done = run_command(['./validate'], case, 120)
+    assert done.code != 0 and 'FAIL' in done.output.splitlines()[-1]
+
+
+@pytest.mark.parametrize('name, file, right, wrong, only', [
+    # Half a per cent less vapour
+    ('stefanTube', 'common/constant/liquidProperties', 'pSat            3169.446', 'pSat            3154', 'water'),
+    # Vapour that diffuses 1.5 % faster
+    ('sessileLifetime', 'common/constant/gasProperties', '2.61e-5', '2.65e-5', 'rate-90-20')],
+    ids=['stefanTube', 'sessileLifetime'])
+def test_validate_notices_a_wrong_vapour(tmp_path, name, file, right, wrong, only):
+    case = fresh(tmp_path / 'case', f'interEvapDemFoam/{name}')
+    path = case / file
+    text = path.read_text()
+    assert right in text
+    path.write_text(text.replace(right, wrong))
     done = run_command(['./Allrun', only], case, 300)
     assert done.code == 0, done.output[-3000:]
     done = run_command(['./validate'], case, 120)

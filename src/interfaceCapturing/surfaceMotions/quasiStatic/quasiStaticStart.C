@@ -9,6 +9,7 @@
 #include "quasiStatic.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fvMesh.H"
+#include "substrate.H"
 #include "Time.H"
 #include "unitConversion.H"
 #include "userEntry.H"
@@ -228,37 +229,18 @@ Foam::dew::sphericalCap Foam::dew::surfaceMotions::quasiStatic::capAtStart
         }
     );
 
-    const word name(dict.get<word>("substrate"));
-    const label patchi = mesh.boundaryMesh().findPatchID(name);
-    if (patchi < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'substrate' in " << dict.dictName() << " is " << name
-            << nl << "The mesh has no such patch; it has "
-            << flatOutput(mesh.boundaryMesh().names())
-            << exit(FatalIOError);
-    }
-
+    const substrate plane(mesh, dict);
+    const vector& normal = plane.normal();
     const point centre(userEntry::pointOr(dict, "centre", dimLength, Zero));
     const scalar a = userEntry::positive(dict, "contactRadius", dimLength);
     const scalar theta =
         degToRad(userEntry::within(dict, "contactAngle", 0.01, 179));
 
-    const polyPatch& patch = mesh.boundaryMesh()[patchi];
-    const vector sum(gSum(patch.faceAreas()));
-    const vector normal(-sum/max(mag(sum), VSMALL));
-
-    // Flat, and through the centre: also for patches without faces here
-    scalar off = 0;
-    for (const label pointi : patch.meshPoints())
-    {
-        off = max(off, mag((mesh.points()[pointi] - centre) & normal));
-    }
-    reduce(off, maxOp<scalar>());
-    if (!(mag(sum) > 0) || off > fits*a)
+    const scalar off = plane.off(centre);
+    if (off > fits*a)
     {
         FatalIOErrorInFunction(dict)
-            << "The patch " << name << " is not flat, or 'centre' "
+            << "The patch " << plane.name() << " is not flat, or 'centre' "
             << centre << " in " << dict.dictName() << " is not on it" << nl
             << "Its points are up to " << off
             << " m away from the plane through the centre"
@@ -279,7 +261,7 @@ Foam::dew::sphericalCap Foam::dew::surfaceMotions::quasiStatic::capAtStart
                 << " is not a body of revolution about the axis of the wedge"
                 << nl << "'centre' " << centre << " must be on the axis "
                 << symmetry.axis() << " through " << symmetry.origin()
-                << ", and the patch " << name << " at right angles to it"
+                << ", and the patch " << plane.name() << " at right angles to it"
                 << exit(FatalIOError);
         }
         return sphericalCap

@@ -5,7 +5,7 @@
 \*---------------------------------------------------------------------------*/
 /*
 Application
-    testSurface
+    testColloidSurface
 
 Description
     Particles under the laws of coupling in a drop whose surface is given, in
