@@ -158,10 +158,12 @@ private:
 
         //- Without inertia: velocity over the coming sub-step without noise,
         //  and its factor for the noise along the normal m. False for a
-        //  particle that the liquid has let go: it is at rest but for other
-        //  forces, which friction like that of the liquid slows
+        //  particle that the liquid has let go: it is at rest
         bool drift(int i, double* v, double* m, double& along) const;
         void spin(int i) const;
+
+        //- Offset from the surface after a sub-step with velocity v
+        void follow(int i, const double* v);
         void moveOverdamped();
         void endOverdamped();
 

@@ -245,11 +245,8 @@ bool Foam::dew::fixIntegrate::drift
 
     if (delta >= atom->radius[i])
     {
-        // The liquid has let go: nothing carries the particle along
-        for (int k = 0; k < 3; k++)
-        {
-            v[k] -= d[U+k];
-        }
+        // The liquid has let go: the particle stays where it is
+        std::memset(v, 0, 3*sizeof(double));
         std::memset(m, 0, 3*sizeof(double));
         return false;
     }
@@ -293,6 +290,19 @@ void Foam::dew::fixIntegrate::spin(const int i) const
 }
 
 
+void Foam::dew::fixIntegrate::follow(const int i, const double* v)
+{
+    if (colloid_)
+    {
+        double* c = colloid_[i];
+        for (int k = 0; k < 3; k++)
+        {
+            c[offset+k] += (v[k] - c[speed]*c[normal+k])*update->dt;
+        }
+    }
+}
+
+
 void Foam::dew::fixIntegrate::moveOverdamped()
 {
     const double dt = update->dt;
@@ -305,10 +315,15 @@ void Foam::dew::fixIntegrate::moveOverdamped()
         double* v = atom->v[i];
         double m[3], along;
 
-        const bool wet = drift(i, v, m, along);
+        if (!drift(i, v, m, along))
+        {
+            std::memset(atom->omega[i], 0, 3*sizeof(double));
+            follow(i, v);
+            continue;
+        }
         spin(i);
 
-        for (int k = 0; wet && k < 3; k++)
+        for (int k = 0; k < 3; k++)
         {
             d[impulse+k] += (d[Sp]*(d[U+k] - v[k]) + d[Su+k])*dt;
             d[angularImpulse+k] -= atom->torque[i][k]*dt;
@@ -316,9 +331,9 @@ void Foam::dew::fixIntegrate::moveOverdamped()
 
         if (colloid_)
         {
-            double* c = colloid_[i];
+            const double* c = colloid_[i];
 
-            if (wet && c[kT] > 0)
+            if (c[kT] > 0)
             {
                 double g[4];
                 gaussians(seed_, atom->tag[i], step, 0, g);
@@ -330,11 +345,8 @@ void Foam::dew::fixIntegrate::moveOverdamped()
                     v[k] += width*(g[k] + less*m[k]);
                 }
             }
-            for (int k = 0; k < 3; k++)
-            {
-                c[offset+k] += (v[k] - c[speed]*c[normal+k])*dt;
-            }
         }
+        follow(i, v);
 
         for (int k = 0; k < 3; k++)
         {
@@ -350,8 +362,10 @@ void Foam::dew::fixIntegrate::endOverdamped()
     for (int i = 0; i < atom->nlocal; i++)
     {
         double m[3], along;
-        drift(i, atom->v[i], m, along);
-        spin(i);
+        if (drift(i, atom->v[i], m, along))
+        {
+            spin(i);
+        }
     }
 }
 
