@@ -148,3 +148,89 @@ Foam::scalar Foam::dew::sphereOverlap::ringShare
     );
     return checked(held/whole, 1e-10, "cell", celli);
 }
+
+
+Foam::scalar Foam::dew::sphereOverlap::sideShare
+(
+    const sphericalCap& cap,
+    const label facei
+) const
+{
+    const face& f = mesh_.faces()[facei];
+    const label n = f.size();
+    const scalar R = cap.radius();
+    const scalar r0 = r_[f[0]], z0 = z_[f[0]];
+
+    // Area to the right of lines from a vertex, and beyond the chords of the
+    // disc: both are of the size of the face, however large the disc
+    scalar whole = 0, held = 0, beyond = 0;
+    label pieces = 0;
+    FixedList<scalar, 2> first, last;
+
+    const auto across = []
+    (
+        const FixedList<scalar, 2>& a, const FixedList<scalar, 2>& b
+    )
+    {
+        return 0.5*(a[0]*b[1] - b[0]*a[1]);
+    };
+    const auto arc = [&]
+    (
+        const FixedList<scalar, 2>& a, const FixedList<scalar, 2>& b
+    )
+    {
+        const scalar chord = Foam::hypot(b[0] - a[0], b[1] - a[1]);
+        const scalar x = 2*Foam::asin(min(0.5*chord/R, scalar(1)));
+        const scalar excess =
+            x < 0.1
+          ? pow3(x)/6*(1 - sqr(x)/20*(1 - sqr(x)/42))
+          : x - Foam::sin(x);
+        held += across(a, b);
+        beyond += 0.5*sqr(R)*excess;
+    };
+
+    for (label k = 0; k < n; k++)
+    {
+        const label i = f[k], j = f[(k + 1) % n];
+        const scalar dr = r_[j] - r_[i], dz = z_[j] - z_[i];
+        FixedList<scalar, 2> a, b;
+        a[0] = r_[i] - r0;
+        a[1] = z_[i] - z0;
+        b[0] = r_[j] - r0;
+        b[1] = z_[j] - z0;
+        whole += across(a, b);
+
+        scalar t0, t1;
+        if
+        (
+            !sphericalCap::inside
+            (
+                power_[i], power_[j], sqr(dr) + sqr(dz), t0, t1
+            )
+        )
+        {
+            continue;
+        }
+        b[0] = a[0] + t1*dr;
+        b[1] = a[1] + t1*dz;
+        a[0] += t0*dr;
+        a[1] += t0*dz;
+        if (pieces++)
+        {
+            arc(last, a);
+        }
+        else
+        {
+            first = a;
+        }
+        held += across(a, b);
+        last = b;
+    }
+    if (!pieces)
+    {
+        return 0;
+    }
+    arc(last, first);
+
+    return checked((mag(held) + beyond)/mag(whole), 1e-10, "face", facei);
+}

@@ -221,7 +221,7 @@ void Foam::dew::fixIntegrate::addPending()
 }
 
 
-void Foam::dew::fixIntegrate::drift
+bool Foam::dew::fixIntegrate::drift
 (
     const int i,
     double* v,
@@ -240,7 +240,18 @@ void Foam::dew::fixIntegrate::drift
     along = 1;
 
     double delta = 0;
-    if (colloid_ && pulled(colloid_[i], atom->radius[i], delta, m))
+    const bool held =
+        colloid_ && pulled(colloid_[i], atom->radius[i], delta, m);
+
+    if (delta >= atom->radius[i])
+    {
+        // The liquid has let go: the particle stays where it is
+        std::memset(v, 0, 3*sizeof(double));
+        std::memset(m, 0, 3*sizeof(double));
+        return false;
+    }
+
+    if (held)
     {
         // Exact relaxation in the frame of the surface
         const double* c = colloid_[i];
@@ -260,6 +271,8 @@ void Foam::dew::fixIntegrate::drift
     {
         std::memset(m, 0, 3*sizeof(double));
     }
+
+    return true;
 }
 
 
@@ -277,6 +290,19 @@ void Foam::dew::fixIntegrate::spin(const int i) const
 }
 
 
+void Foam::dew::fixIntegrate::follow(const int i, const double* v)
+{
+    if (colloid_)
+    {
+        double* c = colloid_[i];
+        for (int k = 0; k < 3; k++)
+        {
+            c[offset+k] += (v[k] - c[speed]*c[normal+k])*update->dt;
+        }
+    }
+}
+
+
 void Foam::dew::fixIntegrate::moveOverdamped()
 {
     const double dt = update->dt;
@@ -289,7 +315,12 @@ void Foam::dew::fixIntegrate::moveOverdamped()
         double* v = atom->v[i];
         double m[3], along;
 
-        drift(i, v, m, along);
+        if (!drift(i, v, m, along))
+        {
+            std::memset(atom->omega[i], 0, 3*sizeof(double));
+            follow(i, v);
+            continue;
+        }
         spin(i);
 
         for (int k = 0; k < 3; k++)
@@ -300,7 +331,7 @@ void Foam::dew::fixIntegrate::moveOverdamped()
 
         if (colloid_)
         {
-            double* c = colloid_[i];
+            const double* c = colloid_[i];
 
             if (c[kT] > 0)
             {
@@ -314,11 +345,8 @@ void Foam::dew::fixIntegrate::moveOverdamped()
                     v[k] += width*(g[k] + less*m[k]);
                 }
             }
-            for (int k = 0; k < 3; k++)
-            {
-                c[offset+k] += (v[k] - c[speed]*c[normal+k])*dt;
-            }
         }
+        follow(i, v);
 
         for (int k = 0; k < 3; k++)
         {
@@ -334,8 +362,10 @@ void Foam::dew::fixIntegrate::endOverdamped()
     for (int i = 0; i < atom->nlocal; i++)
     {
         double m[3], along;
-        drift(i, atom->v[i], m, along);
-        spin(i);
+        if (drift(i, atom->v[i], m, along))
+        {
+            spin(i);
+        }
     }
 }
 
