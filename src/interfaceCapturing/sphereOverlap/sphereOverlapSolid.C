@@ -7,7 +7,6 @@
 // Cells with flat faces
 
 #include "sphereOverlap.H"
-#include "boundBox.H"
 #include "fvMesh.H"
 #include "mathematicalConstants.H"
 #include "wedgePolyPatch.H"
@@ -292,14 +291,6 @@ Foam::scalar Foam::dew::sphereOverlap::faceShare
     }
 
     const pointField& points = mesh_.points();
-    if
-    (
-        faceEdge_.size()
-     && cap.radius() > 2*boundBox(points, f, false).mag()
-    )
-    {
-        return sideShare(cap, facei);
-    }
     const point middle(f.centre(points));
     discPart part;
     forAll(f, k)
