@@ -23,7 +23,7 @@ void Foam::dew::findWetRegion
 )
 {
     const fvMesh& mesh = alpha.mesh();
-    const scalar least = 1e-5;
+    constexpr scalar least = 1e-5;
 
     // Ways to other cells, wetted and all
     surfaceScalarField ways(mesh.magSf());
@@ -43,12 +43,21 @@ void Foam::dew::findWetRegion
     }
     dry.correctBoundaryConditions();
 
+    // Dry cells stay together: each a region would be as many as cells
+    const auto separate = []
+    (
+        const scalar wet, const scalar one, const scalar other
+    )
+    {
+        return one != other || (one < 0.5 && wet <= least);
+    };
     boolList blocked(mesh.nFaces(), false);
     forAll(mesh.owner(), facei)
     {
-        blocked[facei] =
-            a[facei] <= least
-         || dry[mesh.owner()[facei]] > 0 || dry[mesh.neighbour()[facei]] > 0;
+        blocked[facei] = separate
+        (
+            a[facei], dry[mesh.owner()[facei]], dry[mesh.neighbour()[facei]]
+        );
     }
     forAll(mesh.boundary(), patchi)
     {
@@ -61,9 +70,12 @@ void Foam::dew::findWetRegion
             );
             forAll(patch, facei)
             {
-                blocked[patch.start() + facei] =
-                    a.boundaryField()[patchi][facei] <= least
-                 || dry[patch.faceCells()[facei]] > 0 || other[facei] > 0;
+                blocked[patch.start() + facei] = separate
+                (
+                    a.boundaryField()[patchi][facei],
+                    dry[patch.faceCells()[facei]],
+                    other[facei]
+                );
             }
         }
     }
