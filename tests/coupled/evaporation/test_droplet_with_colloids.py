@@ -62,7 +62,7 @@ def reference(tmp_path_factory):
 
 def test_the_flow_carries_them(reference):
     """The colloids are where they were, and moved: by Brownian motion, D = kT/(6 pi mu R) of 1.7e-12 m2/s, and by the flow"""
-    x0, x = colloids(reference, 0), colloids(reference)
+    x0, x = colloids(reference, MIDDLE), colloids(reference)
     assert len(x) == 312 and (np.linalg.norm(x, axis=1) < A).all() and (x[:, 2] > 0.4e-6).all()
     moved = np.linalg.norm(x - x0, axis=1)
     assert 5e-9 < np.median(moved) < 1e-6
