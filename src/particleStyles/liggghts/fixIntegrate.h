@@ -157,9 +157,9 @@ private:
         void addPending();
 
         //- Without inertia: velocity over the coming sub-step without noise,
-        //  and its factor for the noise along the normal m. False for a
-        //  particle that the liquid has let go: it is at rest
-        bool drift(int i, double* v, double* m, double& along) const;
+        //  and its factor for the noise along the normal m. Returns the share
+        //  of U that carries the particle; without, it is at rest
+        double drift(int i, double* v, double* m, double& along) const;
         void spin(int i) const;
 
         //- Offset from the surface after a sub-step with velocity v

@@ -221,7 +221,7 @@ void Foam::dew::fixIntegrate::addPending()
 }
 
 
-bool Foam::dew::fixIntegrate::drift
+double Foam::dew::fixIntegrate::drift
 (
     const int i,
     double* v,
@@ -232,23 +232,24 @@ bool Foam::dew::fixIntegrate::drift
     const double* d = data_[i];
     const double mobility = 1/d[Sp];
 
-    for (int k = 0; k < 3; k++)
-    {
-        v[k] = d[U+k] + mobility*(atom->f[i][k] + d[Su+k]);
-        m[k] = 0;
-    }
     along = 1;
 
     double delta = 0;
     const bool held =
         colloid_ && pulled(colloid_[i], atom->radius[i], delta, m);
+    const double share = 1 - std::max(delta, 0.0)/atom->radius[i];
 
-    if (delta >= atom->radius[i])
+    if (share <= 0)
     {
         // The liquid has let go: the particle stays where it is
         std::memset(v, 0, 3*sizeof(double));
         std::memset(m, 0, 3*sizeof(double));
-        return false;
+        return 0;
+    }
+
+    for (int k = 0; k < 3; k++)
+    {
+        v[k] = share*d[U+k] + mobility*(atom->f[i][k] + d[Su+k]);
     }
 
     if (held)
@@ -272,7 +273,7 @@ bool Foam::dew::fixIntegrate::drift
         std::memset(m, 0, 3*sizeof(double));
     }
 
-    return true;
+    return share;
 }
 
 
@@ -315,7 +316,8 @@ void Foam::dew::fixIntegrate::moveOverdamped()
         double* v = atom->v[i];
         double m[3], along;
 
-        if (!drift(i, v, m, along))
+        const double share = drift(i, v, m, along);
+        if (share == 0)
         {
             std::memset(atom->omega[i], 0, 3*sizeof(double));
             follow(i, v);
@@ -325,7 +327,7 @@ void Foam::dew::fixIntegrate::moveOverdamped()
 
         for (int k = 0; k < 3; k++)
         {
-            d[impulse+k] += (d[Sp]*(d[U+k] - v[k]) + d[Su+k])*dt;
+            d[impulse+k] += (d[Sp]*(share*d[U+k] - v[k]) + d[Su+k])*dt;
             d[angularImpulse+k] -= atom->torque[i][k]*dt;
         }
 
@@ -362,7 +364,7 @@ void Foam::dew::fixIntegrate::endOverdamped()
     for (int i = 0; i < atom->nlocal; i++)
     {
         double m[3], along;
-        if (drift(i, atom->v[i], m, along))
+        if (drift(i, atom->v[i], m, along) > 0)
         {
             spin(i);
         }

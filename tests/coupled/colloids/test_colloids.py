@@ -179,7 +179,9 @@ def test_spherical_surface(tmp_path, dynamics, side):
     case = colloids(tmp_path, centre + (big + side*0.1*R) * e, dt, 100, 2, dynamics)
     run(case, {'Sp': SP, 'U': tuple(side * U * e), **surface(k, centre + big*foot, side*foot, 0, side/big)})
     row = state(case, 200 * dt)
-    assert np.abs(vectors(row)[0] - centre - (big + side*0.25*R) * e).max() < 1e-6 * R
+    # k delta = Sp U, without inertia Sp U (1 - delta/R)
+    delta = 0.2 if dynamics else 0.25
+    assert np.abs(vectors(row)[0] - centre - (big + side*delta*R) * e).max() < 1e-6 * R
 
 
 @BOTH
@@ -198,7 +200,7 @@ def test_liquid_lets_go(tmp_path, dynamics):
     moved = row['x'] - x[:, 0]
     assert abs(moved[0] / free - 1) < 1e-6
     assert abs(moved[2] / free - (0 if dynamics else 1)) < 1e-6
-    assert abs((row['x'][1] - 100*D) / (1e-3 * R) - 1) < 1e-5
+    assert abs((row['x'][1] - 100*D) / (1e-3 * R) * (1.001 if dynamics else 1) - 1) < 1e-5
 
 
 # --- Without inertia
