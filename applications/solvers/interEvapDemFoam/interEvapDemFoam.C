@@ -126,6 +126,7 @@ int main(int argc, char *argv[])
             interface.assemble(Y.get());
             #include "TEqn.H"
         }
+        #include "checkGas.H"
         gas.store();
 
         // The surface gives way to it
@@ -153,14 +154,21 @@ int main(int argc, char *argv[])
         gas.move();
         #include "properties.H"
 
-        runTime.write();
+        if (surface.dry())
+        {
+            // Function objects see a write time, and the end
+            runTime.writeAndEnd();
+        }
+        else
+        {
+            runTime.write();
+        }
         report.print();
     }
 
     if (surface.dry())
     {
         Info<< "The liquid has dried at time " << runTime.timeName() << endl;
-        runTime.writeNow();
     }
 
     Info<< "End\n" << endl;

@@ -122,12 +122,14 @@ Foam::dew::particleExchange::particleExchange
                 << nl << "Add 'heat on;' to " << particleProperties.name()
                 << ", or remove the entry" << exit(FatalIOError);
         }
-        if (!fluid_.T)
+        if (!fluid_.T || !fluid_.kappa || !fluid_.Cp)
         {
             FatalIOErrorInFunction(dict_)
                 << "Entry 'heatTransfer' needs a fluid with a temperature"
-                << nl << "Add a field T to the start time, and Cp and kappa to"
-                << " constant/transportProperties, or remove the entry"
+                << " that gives heat to particles" << nl
+                << "In cfdDemFoam add a field T to the start time, and Cp and"
+                << " kappa to constant/transportProperties; else remove the"
+                << " entry"
                 << exit(FatalIOError);
         }
         heatTransfer_ =

@@ -12,6 +12,17 @@
 #include "surfaceMotion.H"
 #include "Time.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Of the volume at the start, that may evaporate in the last step
+constexpr Foam::scalar largestRemnant = 0.1;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dew::evaporationLedger::record::record(const evaporationLedger& ledger)
@@ -50,6 +61,7 @@ Foam::dew::evaporationLedger::evaporationLedger
     gas_(gas),
     Y_(Y),
     rhoL_(0),
+    rate_(0),
     V0_(surface.volume()),
     evaporated_(0),
     out_(0),
@@ -60,6 +72,7 @@ Foam::dew::evaporationLedger::evaporationLedger
     {
         rhoL_ = record_->get<scalar>("rhoL");
         V0_ = record_->get<scalar>("V0");
+        rate_ = record_->get<scalar>("rate");
         evaporated_ = record_->get<scalar>("evaporated");
         out_ = record_->get<scalar>("out");
         storedAtStart_ = record_->get<scalar>("storedAtStart");
@@ -100,6 +113,7 @@ bool Foam::dew::evaporationLedger::record::writeData(Ostream& os) const
     const int precision = os.precision(17);
     os.writeEntry("rhoL", ledger_.rhoL_);
     os.writeEntry("V0", ledger_.V0_);
+    os.writeEntry("rate", ledger_.rate_);
     os.writeEntry("evaporated", ledger_.evaporated_);
     os.writeEntry("out", ledger_.out_);
     os.writeEntry("storedAtStart", ledger_.storedAtStart_);
@@ -115,9 +129,23 @@ Foam::scalar Foam::dew::evaporationLedger::liquidLost(const scalar dt) const
     const bool seen =
         returnReduce(interface_.faces().faces().size(), sumOp<label>());
 
-    return
-        !seen || V - lost < 1e-6*V0_
-      ? V : lost;
+    const bool all = !seen || V - lost < 1e-6*V0_;
+
+    if (all && V > largestRemnant*V0_)
+    {
+        FatalErrorInFunction
+            << "At time " << mesh_.time().timeName() << " the last "
+            << 100*V/V0_ << " % of the liquid would vanish in one step" << nl
+            << (
+                   seen
+                 ? "Lower deltaT, or maxVolumeChange, in system/controlDict"
+                 : "No cell centre and no face of a wall is in it: refine the"
+                   " mesh there"
+               )
+            << exit(FatalError);
+    }
+
+    return all ? V : lost;
 }
 
 
@@ -130,6 +158,7 @@ void Foam::dew::evaporationLedger::add
 {
     const scalar mass = lost*rhoL_;
     evaporated_ += mass;
+    rate_ = interface_.rate();
 
     if (!Y_)
     {

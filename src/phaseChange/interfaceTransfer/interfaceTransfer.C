@@ -127,7 +127,7 @@ Foam::scalar Foam::dew::interfaceTransfer::findTs
     const scalar K = KG_[k] + KL_[k];
     const scalar arriving = KG_[k]*film.T + KL_[k]*TN_[k];
 
-    scalar low = 0.5*min(film.T, TN_[k]);
+    scalar low = 0.5*min(min(film.T, TN_[k]), law_->TsMax());
     scalar high = min(2*max(film.T, TN_[k]), law_->TsMax()*(1 - 1e-12));
 
     scalar Ts = min(max(film.Ts, low), high);

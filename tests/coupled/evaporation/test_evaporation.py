@@ -63,12 +63,43 @@ def test_balance_to_the_end(tmp_path):
     """Also when the drop dries within a step."""
     case = drop(tmp_path, theta=20, endTime=1e4, adjustTimeStep=True, maxVolumeChange=0.05, maxCo=1e9, maxDeltaT=1e9,
                 writeControl='adjustableRunTime', writeInterval=1e5)
+    case.control['functions'] = {'deposit': {
+        'type': 'depositStatistics', 'libs': '(dewFunctionObjects)', 'centre': (0, 0, 0), 'normal': (0, 0, 1),
+        'contactRadius': 1e-3, 'writeControl': 'writeTime'}}
     case.prepare()
     output = case.go()
     assert 'The liquid has dried' in output
     table = case.ledger()
     assert case.errors(output).max() < 1e-8 and table.volume[-1] == 0
     assert abs(table.evaporated[-1] / (997 * cap_volume(1e-3, np.radians(20))) - 1) < 1e-6
+    # The end is a write time for function objects, too; going on from there is a run of no steps
+    written = case.path / 'postProcessing/deposit/0/density.dat'
+    last = float(written.read_text().splitlines()[-1].split()[0])
+    assert abs(last / table.time[-1] - 1) < 1e-8
+    case.control['startFrom'] = 'latestTime'
+    case.liquid = {'type': 'library', 'liquid': 'H2O'}      # ends the run at 0 K, the mean of no liquid
+    case.write()
+    assert 'The liquid has dried' in case.go()
+
+
+def test_dries_in_one_step(tmp_path):
+    """A step much longer than the life is refused, and a drop between the cell centres."""
+    case = drop(tmp_path, endTime=1e6, deltaT=1e5)
+    case.prepare()
+    message = case.message()
+    assert '100 % of the liquid' in message and 'Lower deltaT' in message
+
+
+def test_iterations_that_end_early(tmp_path):
+    """One iteration between vapour and its flow is not enough, and it says so."""
+    case = drop(tmp_path, endTime=1)
+    case.gas, case.liquid, case.T, case.T_substrate = IDEAL_GAS, BOILING_WATER, 350.0, 350.0
+    case.prepare()
+    assert 'still change by' not in case.go()
+    solution = case.path / 'system/fvSolution'
+    solution.write_text(re.sub(r'(gas\s*{\s*nCorrectors\s+)\d+', r'\g<1>1', solution.read_text()))
+    output = case.go()
+    assert 'still change by' in output and 'nCorrectors' in output
 
 
 # --- Limits
@@ -298,6 +329,24 @@ def test_ranks_restart_reconstruct(tmp_path):
     two.write()
     two.go()
     same(two.ledger('0.3'), slice(3, 6), 1e-8)
+
+
+def test_restart_goes_on_at_its_step(tmp_path):
+    """The length of the step after a restart follows from the rate before it: that of the uninterrupted run."""
+    control = {'adjustTimeStep': True, 'maxVolumeChange': 0.01, 'maxCo': 1e9, 'maxDeltaT': 1e9,
+               'writeControl': 'timeStep', 'writeInterval': 4}
+    one = drop(tmp_path / 'one', endTime=40, deltaT=4, **control)
+    one.prepare()
+    one.go()
+    table = one.ledger()
+    at = min((folder.name for folder in one.path.glob('[1-9]*')), key=float)
+    assert abs(float(at) / table.time[3] - 1) < 1e-8
+    one.control.update(startFrom='startTime', startTime=at)
+    one.write()
+    one.go()
+    again = one.ledger(at)
+    assert len(table) > 6 and np.diff(table.time)[3] < 1.15 * np.diff(table.time)[2]
+    assert np.allclose(again.time, table.time[4:], rtol=1e-9, atol=0)
 
 
 def field(case, name, time):
