@@ -255,7 +255,7 @@ void Foam::dew::interfaceTransfer::linearise
 
         Ts_[k] = film.Ts;
         flux_[k] = law_->flux(film);
-        change_ = max(change_, mag(Ts_[k] - before));
+        change_ = max(change_, mag(Ts_[k] - before)/Ts_[k]);
 
         const scalar V = mesh_.V()[face.gas];
         const filmFlux& f = flux_[k];
