@@ -111,11 +111,13 @@ int main(int argc, char *argv[])
         particles.evolve(exchange.forces());
         exchange.correct();
 
-        // Vapour and heat around the present surface: what evaporates
+        // Vapour and heat around the present surface: what evaporates. The
+        // first step has no other to go on from
+        const label nIter = (ledger.rate() == 0 ? 20 : 1)*nGasCorrectors;
         for
         (
             label iter = 0;
-            iter < nGasCorrectors && interface.change() > gasTolerance;
+            iter < nIter && interface.change() > gasTolerance;
             iter++
         )
         {
