@@ -172,10 +172,14 @@ void Foam::dew::interfaceTransfer::move()
     Ts_.setSize(n);
     KG_.setSize(n);
     KL_.setSize(n);
+    dTsdY_.setSize(n);
+    Y0_.setSize(n);
     flux_.setSize(n);
     N0_.setSize(n);
     N_.setSize(n);
     Ts_ = 0;
+    dTsdY_ = 0;
+    Y0_ = 0;
     N0_ = 0;
     N_ = 0;
     flux_ = filmFlux();
@@ -255,6 +259,18 @@ void Foam::dew::interfaceTransfer::linearise
 
         Ts_[k] = film.Ts;
         flux_[k] = law_->flux(film);
+        Y0_[k] = film.Y;
+        dTsdY_[k] = 0;
+        if (energy)
+        {
+            // More vapour, less evaporates, the surface gets warmer
+            filmFlux& f = flux_[k];
+            const scalar K = KG_[k] + KL_[k];
+            const scalar hvS = latentHeat(f, Ts_[k])*face.S;
+            const scalar sum = K + hvS*f.dNdTs;
+            dTsdY_[k] = -hvS*f.dNdY/sum;
+            f.dNdY *= K/sum;
+        }
         change_ = max(change_, mag(Ts_[k] - before)/Ts_[k]);
 
         const scalar V = mesh_.V()[face.gas];
@@ -277,6 +293,13 @@ void Foam::dew::interfaceTransfer::assemble(const volScalarField* Y)
     {
         const interfaceFace& face = faces[k];
         N_[k] = N0_[k] + (Y ? flux_[k].dNdY*(*Y)[face.gas] : 0);
+        if (Y)
+        {
+            // Far from the solution the tangent may leave what a liquid can be
+            const scalar Ts = Ts_[k] + dTsdY_[k]*((*Y)[face.gas] - Y0_[k]);
+            const scalar highest = max(Ts_[k], 0.9999*law_->TsMax());
+            Ts_[k] = max(min(Ts, highest), 0.5*Ts_[k]);
+        }
         rate_ += N_[k]*face.S;
         most += mag(flux_[k].N)*face.S;
         moved += mag(N_[k] - flux_[k].N)*face.S;
