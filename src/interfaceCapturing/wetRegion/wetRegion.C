@@ -9,7 +9,6 @@
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
-#include "neighbourSum.H"
 #include "regionSplit.H"
 #include "surfaceInterpolate.H"
 
@@ -193,24 +192,69 @@ void Foam::dew::extend
 (
     volVectorField& U,
     const volScalarField& dry,
+    const volVectorField& n,
     const label nLayers
 )
 {
     const fvMesh& mesh = U.mesh();
+    const vectorField& C = mesh.cellCentres();
 
-    scalarField known(1 - dry.primitiveField());
-    U.primitiveFieldRef() *= known;
+    volScalarField known("known", 1 - dry);
+    U.primitiveFieldRef() *= known.primitiveField();
 
     for (label layer = 0; layer < nLayers; layer++)
     {
-        const vectorField sum(neighbourSum<vector>(mesh, known*U.primitiveField()));
-        const scalarField n(neighbourSum<scalar>(mesh, known));
+        known.correctBoundaryConditions();
+        U.correctBoundaryConditions();
+
+        vectorField sum(mesh.nCells(), Zero);
+        scalarField count(mesh.nCells(), Zero);
+
+        // What stands in the way to the liquid, within 45 degrees
+        const auto add = [&]
+        (
+            const label celli, const vector& d, const scalar k, const vector& u
+        )
+        {
+            if (k > 0.5 && (d & n[celli]) < -0.7*mag(d))
+            {
+                sum[celli] += u;
+                count[celli] += 1;
+            }
+        };
+
+        forAll(mesh.owner(), facei)
+        {
+            const label own = mesh.owner()[facei];
+            const label nei = mesh.neighbour()[facei];
+            add(own, C[nei] - C[own], known[nei], U[nei]);
+            add(nei, C[own] - C[nei], known[own], U[own]);
+        }
+        for (const fvPatch& patch : mesh.boundary())
+        {
+            if (patch.coupled())
+            {
+                const scalarField k
+                (
+                    known.boundaryField()[patch.index()].patchNeighbourField()
+                );
+                const vectorField u
+                (
+                    U.boundaryField()[patch.index()].patchNeighbourField()
+                );
+                const vectorField d(patch.delta());
+                forAll(k, facei)
+                {
+                    add(patch.faceCells()[facei], d[facei], k[facei], u[facei]);
+                }
+            }
+        }
 
         forAll(U, celli)
         {
-            if (known[celli] < 0.5 && n[celli] > 0.5)
+            if (known[celli] < 0.5 && count[celli] > 0)
             {
-                U[celli] = sum[celli]/n[celli];
+                U[celli] = sum[celli]/count[celli];
                 known[celli] = 1;
             }
         }
