@@ -45,7 +45,7 @@ class EvaporationCase(Case):
         self.liquid, self.gas = dict(WATER), dict(CONSTANT_GAS)
         self.change = {'evaporation': {'type': 'diffusion'}, 'energy': False, 'gas': 'quasiSteady'}
         self.T, self.T_substrate, self.Y, self.Y_outer = 298.15, 298.15, 0.0, 0.0
-        self.with_vapour, self.outer = True, None
+        self.with_vapour, self.outer, self.outer_T, self.substrate_T = True, None, None, None
         self.tolerance = 1e-15
         self.turn = tuple              # of every position: the axis of the wedge is z
         self.properties = {'engine': 'none', 'coupling': {'voidFraction': {'type': 'none'}, 'momentum': 'none',
@@ -131,8 +131,9 @@ class EvaporationCase(Case):
         self.write_dict('constant/liquidProperties', self.liquid)
         self.write_dict('constant/gasProperties', self.gas)
         same = {'type': 'zeroGradient'}
-        self.field_file('T', '[0 0 0 1 0 0 0]', self.T, {'type': 'fixedValue', 'value': f'uniform {self.T_substrate}'},
-                        {'type': 'fixedValue', 'value': f'uniform {self.T}'})
+        self.field_file('T', '[0 0 0 1 0 0 0]', self.T,
+                        self.substrate_T or {'type': 'fixedValue', 'value': f'uniform {self.T_substrate}'},
+                        self.outer_T or {'type': 'fixedValue', 'value': f'uniform {self.T}'})
         self.field_file('U', '[0 1 -1 0 0 0 0]', (0, 0, 0), {'type': 'noSlip'}, same, 'volVectorField')
         self.field_file('alpha.liquid', '[0 0 0 0 0 0 0]', 0, same, same)
         if self.with_vapour:

@@ -61,6 +61,7 @@ Foam::dew::particleExchange::particleExchange
             "interpolation", dict_, true
         )
     ),
+    carrierVelocity_(dict_.getOrDefault<Switch>("carrierVelocity", true)),
     voidFraction_
     (
         voidFractionModel::New(userEntry::subDict(dict_, "voidFraction"))
@@ -94,8 +95,8 @@ Foam::dew::particleExchange::particleExchange
     (
         dict_,
         {
-            "model", "voidFraction", "alphacMin", "interpolation", "momentum",
-            "heat", "forces", "heatTransfer"
+            "model", "voidFraction", "alphacMin", "interpolation",
+            "carrierVelocity", "momentum", "heat", "forces", "heatTransfer"
         }
     );
 
@@ -149,6 +150,15 @@ Foam::dew::particleExchange::particleExchange
             << " them could be given to them" << nl
             << "Set 'momentum explicit;' or 'momentum none;', or dynamics of"
             << " type inertial" << exit(FatalIOError);
+    }
+
+    if (!carrierVelocity_ && twoWay())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'carrierVelocity' is off: particles see a fluid at rest,"
+            << " and the moving one would feel the force of another" << nl
+            << "Set 'momentum none;', or remove 'carrierVelocity'"
+            << exit(FatalIOError);
     }
 
     findMap();

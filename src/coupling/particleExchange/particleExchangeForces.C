@@ -71,13 +71,13 @@ void Foam::dew::particleExchange::gatherCarriers()
 
     tmp<tensorField> gradU;
     tmp<vectorField> gradT;
-    if (linear_)
+    if (linear_ && carrierVelocity_)
     {
         gradU = linearGradient(U, symmetry);
-        if (thermal)
-        {
-            gradT = linearGradient(*fluid_.T, symmetry);
-        }
+    }
+    if (linear_ && thermal)
+    {
+        gradT = linearGradient(*fluid_.T, symmetry);
     }
 
     const auto shares = [&](const auto& cells, carrier& c)
@@ -106,7 +106,7 @@ void Foam::dew::particleExchange::gatherCarriers()
         carriers,
         [&](const label celli, const point& x, const auto& cells, carrier& c)
         {
-            c.U = U[celli];
+            c.U = carrierVelocity_ ? U[celli] : vector::zero;
             c.rho = fluid_.rho[celli];
             c.mu = fluid_.mu[celli];
             c.g = g;
@@ -130,7 +130,10 @@ void Foam::dew::particleExchange::gatherCarriers()
             if (linear_)
             {
                 const vector away(x - C[celli]);
-                c.U += away & gradU()[celli];
+                if (carrierVelocity_)
+                {
+                    c.U += away & gradU()[celli];
+                }
                 if (thermal)
                 {
                     c.T += away & gradT()[celli];

@@ -22,6 +22,7 @@ Foam::dew::particleReport::particleReport
 )
 :
     time_(time),
+    start_(time.value()),
     particles_(particles),
     output_(output),
     exchange_(nullptr)
@@ -37,6 +38,7 @@ Foam::dew::particleReport::particleReport
 )
 :
     time_(time),
+    start_(time.value()),
     particles_(particles),
     output_(output),
     exchange_(&exchange)
@@ -57,11 +59,13 @@ void Foam::dew::particleReport::print()
     const scalar writing = output_.time() + particles_.writeTime();
 
     // Four digits are enough to read
-    std::ostringstream energy, clock;
+    std::ostringstream energy, clock, pace;
     energy.precision(4);
     energy << l.kineticEnergy;
     clock.precision(2);
     clock << std::fixed << wall;
+    pace.precision(2);
+    pace << (time_.value() - start_)/wall;
 
     Info<< "Time = " << time_.timeName()
         << "  particles " << l.particles
@@ -79,7 +83,8 @@ void Foam::dew::particleReport::print()
             << " %, exchange " << percent(exchange_->exchangeTime())
             << " %, fluid " << percent(max(wall - known, scalar(0)));
     }
-    Info<< " %, output " << percent(writing) << " %)" << endl;
+    Info<< " %, output " << percent(writing) << " %), "
+        << pace.str().c_str() << " s simulated per s" << endl;
 
     if (l.inserted || l.waiting)
     {

@@ -148,3 +148,6 @@ Foam::scalar Foam::dew::sphereOverlap::ringShare
     );
     return checked(held/whole, 1e-10, "cell", celli);
 }
+
+
+// ************************************************************************* //

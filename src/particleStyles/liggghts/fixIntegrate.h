@@ -157,9 +157,13 @@ private:
         void addPending();
 
         //- Without inertia: velocity over the coming sub-step without noise,
-        //  and its factor for the noise along the normal m
-        void drift(int i, double* v, double* m, double& along) const;
+        //  and its factor for the noise along the normal m. Returns the share
+        //  of U that carries the particle; without, it is at rest
+        double drift(int i, double* v, double* m, double& along) const;
         void spin(int i) const;
+
+        //- Offset from the surface after a sub-step with velocity v
+        void follow(int i, const double* v);
         void moveOverdamped();
         void endOverdamped();
 

@@ -221,7 +221,7 @@ void Foam::dew::fixIntegrate::addPending()
 }
 
 
-void Foam::dew::fixIntegrate::drift
+double Foam::dew::fixIntegrate::drift
 (
     const int i,
     double* v,
@@ -232,15 +232,27 @@ void Foam::dew::fixIntegrate::drift
     const double* d = data_[i];
     const double mobility = 1/d[Sp];
 
-    for (int k = 0; k < 3; k++)
-    {
-        v[k] = d[U+k] + mobility*(atom->f[i][k] + d[Su+k]);
-        m[k] = 0;
-    }
     along = 1;
 
     double delta = 0;
-    if (colloid_ && pulled(colloid_[i], atom->radius[i], delta, m))
+    const bool held =
+        colloid_ && pulled(colloid_[i], atom->radius[i], delta, m);
+    const double share = 1 - std::max(delta, 0.0)/atom->radius[i];
+
+    if (share <= 0)
+    {
+        // The liquid has let go: the particle stays where it is
+        std::memset(v, 0, 3*sizeof(double));
+        std::memset(m, 0, 3*sizeof(double));
+        return 0;
+    }
+
+    for (int k = 0; k < 3; k++)
+    {
+        v[k] = share*d[U+k] + mobility*(atom->f[i][k] + d[Su+k]);
+    }
+
+    if (held)
     {
         // Exact relaxation in the frame of the surface
         const double* c = colloid_[i];
@@ -260,6 +272,8 @@ void Foam::dew::fixIntegrate::drift
     {
         std::memset(m, 0, 3*sizeof(double));
     }
+
+    return share;
 }
 
 
@@ -277,6 +291,19 @@ void Foam::dew::fixIntegrate::spin(const int i) const
 }
 
 
+void Foam::dew::fixIntegrate::follow(const int i, const double* v)
+{
+    if (colloid_)
+    {
+        double* c = colloid_[i];
+        for (int k = 0; k < 3; k++)
+        {
+            c[offset+k] += (v[k] - c[speed]*c[normal+k])*update->dt;
+        }
+    }
+}
+
+
 void Foam::dew::fixIntegrate::moveOverdamped()
 {
     const double dt = update->dt;
@@ -289,18 +316,24 @@ void Foam::dew::fixIntegrate::moveOverdamped()
         double* v = atom->v[i];
         double m[3], along;
 
-        drift(i, v, m, along);
+        const double share = drift(i, v, m, along);
+        if (share == 0)
+        {
+            std::memset(atom->omega[i], 0, 3*sizeof(double));
+            follow(i, v);
+            continue;
+        }
         spin(i);
 
         for (int k = 0; k < 3; k++)
         {
-            d[impulse+k] += (d[Sp]*(d[U+k] - v[k]) + d[Su+k])*dt;
+            d[impulse+k] += (d[Sp]*(share*d[U+k] - v[k]) + d[Su+k])*dt;
             d[angularImpulse+k] -= atom->torque[i][k]*dt;
         }
 
         if (colloid_)
         {
-            double* c = colloid_[i];
+            const double* c = colloid_[i];
 
             if (c[kT] > 0)
             {
@@ -314,11 +347,8 @@ void Foam::dew::fixIntegrate::moveOverdamped()
                     v[k] += width*(g[k] + less*m[k]);
                 }
             }
-            for (int k = 0; k < 3; k++)
-            {
-                c[offset+k] += (v[k] - c[speed]*c[normal+k])*dt;
-            }
         }
+        follow(i, v);
 
         for (int k = 0; k < 3; k++)
         {
@@ -334,8 +364,10 @@ void Foam::dew::fixIntegrate::endOverdamped()
     for (int i = 0; i < atom->nlocal; i++)
     {
         double m[3], along;
-        drift(i, atom->v[i], m, along);
-        spin(i);
+        if (drift(i, atom->v[i], m, along) > 0)
+        {
+            spin(i);
+        }
     }
 }
 

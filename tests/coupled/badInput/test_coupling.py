@@ -47,6 +47,9 @@ REFUSALS = {
     'interpolation unknown': (
         {'coupling/interpolation': 'cubic'}, {}, {},
         ('particleProperties', 'coupling', 'cubic', 'linear', 'cell')),
+    'fluid at rest that feels particles': (
+        {'coupling/carrierVelocity': False}, {}, {},
+        ('particleProperties', 'carrierVelocity', 'momentum none')),
     'misspelt in coupling': (
         {'coupling/alphaMin': 0.3}, {}, {},
         ('particleProperties', 'coupling', "'alphaMin'", 'Valid entries', 'alphacMin')),

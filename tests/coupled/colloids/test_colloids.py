@@ -130,7 +130,8 @@ def surface(k, X=(100*D, 0, 0), n=(1, 0, 0), speed=0.0, curvature=0.0):
 @pytest.mark.parametrize('dynamics, h', [({}, 0.02), ({}, 20), (OVERDAMPED, 20)],
                          ids=['inertial', 'inertial-long', 'overdamped'])
 def test_flow_against_a_surface(tmp_path, dynamics, h, q):
-    """k delta = Sp U at rest, to 1e-6, for k dt/Sp = q; the drag is received, the spring is not."""
+    """k delta = Sp U at rest, to 1e-6, for k dt/Sp = q; the drag is received, the spring is not. Without inertia the share
+    1 - delta/R of U carries the particle: k delta (1 + Sp U/(k R)) = Sp U."""
     dt = h * TAU
     k = q * SP / dt
     U = 0.3 * R * k / SP
@@ -139,9 +140,10 @@ def test_flow_against_a_surface(tmp_path, dynamics, h, q):
     case = colloids(tmp_path, (100*D + 0.01*R, 100*D, 100*D), dt, n, 2, dynamics)
     run(case, {'Sp': SP, 'U': (U, 0, 0), **surface(k)})
     row = state(case, 2 * n * dt)
-    assert abs((row['x'][0] - 100*D) / (0.3 * R) - 1) < 1e-6
+    share = 1 / 1.3 if dynamics else 1
+    assert abs((row['x'][0] - 100*D) / (0.3 * R * share) - 1) < 1e-6
     assert abs(row['vx'][0]) < 1e-6 * U
-    assert abs(row['jx'][0] / (SP * U * n * dt) - 1) < 1e-6
+    assert abs(row['jx'][0] / (SP * U * share * n * dt) - 1) < 1e-6
     assert abs(row['jsp'][0] / (SP * n * dt) - 1) < 1e-6
 
 
@@ -179,12 +181,15 @@ def test_spherical_surface(tmp_path, dynamics, side):
     case = colloids(tmp_path, centre + (big + side*0.1*R) * e, dt, 100, 2, dynamics)
     run(case, {'Sp': SP, 'U': tuple(side * U * e), **surface(k, centre + big*foot, side*foot, 0, side/big)})
     row = state(case, 200 * dt)
-    assert np.abs(vectors(row)[0] - centre - (big + side*0.25*R) * e).max() < 1e-6 * R
+    # k delta = Sp U, without inertia Sp U (1 - delta/R): see above
+    delta = 0.2 if dynamics else 0.25
+    assert np.abs(vectors(row)[0] - centre - (big + side*delta*R) * e).max() < 1e-6 * R
 
 
 @BOTH
 def test_liquid_lets_go(tmp_path, dynamics):
-    """Nothing inside, and nothing from a hemisphere out on; in between a slow flow comes to rest."""
+    """Nothing inside, and nothing from a hemisphere out on; in between a slow flow comes to rest. Without inertia the flow
+    does not carry what is out."""
     dt, q = 2 * TAU, 0.05
     k = q * SP / dt
     out = np.array([-1.0, 0.99, 1.01])
@@ -195,8 +200,9 @@ def test_liquid_lets_go(tmp_path, dynamics):
     row = state(case, 600 * dt)
     free = U * (600 * dt + (0 if dynamics else TAU * np.expm1(-600 * dt / TAU)))
     moved = row['x'] - x[:, 0]
-    assert np.abs(moved[[0, 2]] / free - 1).max() < 1e-6
-    assert abs((row['x'][1] - 100*D) / (1e-3 * R) - 1) < 1e-5
+    assert abs(moved[0] / free - 1) < 1e-6
+    assert abs(moved[2] / free - (0 if dynamics else 1)) < 1e-6
+    assert abs((row['x'][1] - 100*D) / (1e-3 * R) * (1.001 if dynamics else 1) - 1) < 1e-5
 
 
 # --- Without inertia

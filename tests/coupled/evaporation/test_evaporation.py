@@ -160,6 +160,48 @@ def test_hotter_than_boiling(tmp_path):
     assert (case.ledger().rate > 0).all()
 
 
+@pytest.mark.parametrize('T_far, n', [(298.15, 16), (373.15, 16)])
+def test_wet_bulb(tmp_path, T_far, n):
+    """A half sphere on a substrate that gives no heat is half a free sphere, whose wet bulb is, for one density, diffusivity,
+    conductivity and heat capacity (e.g. Spalding; Turns, An Introduction to Combustion, ch. 3),
+
+        rho D ln(1 + BM) = kappa/cp ln(1 + BT),  BM = (Ys - Yinf)/(1 - Ys),  BT = cp (Tinf - Ts)/hv
+
+    and the rate of the half 2 pi R rho D ln(1 + BM). 0.3 K and 3 % are the bounds of the mesh, 16 cells to the radius, and of
+    the far field, which is not that of Stefan flow. The drop starts near the temperature it goes to.
+    """
+    p, M = P0, 18.0153e-3
+    hv, cp, kappa, rhoD, Ru = 2.442e6, 1006, 0.026, RHO_GAS * 2.5e-5, 8.31446
+
+    def saturation(T):
+        x = np.exp(hv * M / Ru * (1 / 373.15 - 1 / T))
+        return x * 18.0153 / (x * 18.0153 + (1 - x) * 28.9647)
+
+    low, high = 250.0, 373.0
+    for _ in range(100):
+        T = 0.5 * (low + high)
+        BM, BT = saturation(T) / (1 - saturation(T)), cp * (T_far - T) / hv
+        low, high = (T, high) if rhoD * np.log1p(BM) < kappa / cp * np.log1p(BT) else (low, T)
+
+    case = drop(tmp_path, theta=90, n=n, line='constantAngle', deltaT=1, endTime=60)
+    case.liquid = BOILING_WATER
+    case.change['energy'] = True
+    case.T = T_far
+    far = {'type': 'farField', 'infinity': f'uniform {T_far}', 'value': f'uniform {T_far}'}
+    case.outer_T, case.substrate_T = far, {'type': 'zeroGradient'}
+    case.outer = {'type': 'farField', 'infinity': 'uniform 0', 'value': 'uniform 0'}
+    case.prepare()
+    case.write_dict('system/setFieldsDict', {
+        'defaultFieldValues': '()', 'regions': f'(fieldToCell {{ field alpha.liquid; min 0.5; max 2; fieldValues ('
+                                               f'volScalarFieldValue T {T + 0.3}); }})'})
+    case._must('setFields')
+    case.go()
+    table = case.ledger()
+    assert abs(table.Tsurface[-1] - T) < 0.3, (table.Tsurface[-1], T)
+    rate = 2 * np.pi * table.contactRadius[-1] * rhoD * np.log1p(BM)
+    assert abs(table.rate[-1] / rate - 1) < 0.03, table.rate[-1] / rate
+
+
 def test_nothing_moves(tmp_path):
     """A drop that does not evaporate has no flow at all, and keeps its volume."""
     case = drop(tmp_path, theta=70, endTime=50, deltaT=10)

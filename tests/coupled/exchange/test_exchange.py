@@ -459,3 +459,31 @@ def test_adjusted_steps_are_whole_sub_steps(tmp_path):
     times = np.array([float(n) for n in case.times()])
     assert len(times) >= 4
     assert np.abs(times - interval * np.arange(1, len(times) + 1)).max() <= 0.5 * sub * (1 + 1e-9)
+
+
+# --- A control: particles that do not see the flow
+
+@pytest.mark.parametrize('interpolation', ['linear', 'cell'])
+def test_no_carrier_velocity(tmp_path, interpolation):
+    """Off, a grain in a flow slows down as in a fluid at rest: v = v0 exp(-t Sp/m), Stokes; with the flow along the other
+    axes it stays where it was. On, it goes along."""
+    d, tau = 4e-5, 2500 * (4e-5)**2 / (18 * 1.8e-5)
+    ends = {}
+    for on in (True, False):
+        case = FluidCase(tmp_path / str(on), rho=1.2, nu=1.5e-5, upper=(L,)*3, cells=(4, 4, 4), cyclic='xyz',
+                         gravity=(0, 0, 0), deltaT=1e-3, endTime=5e-3, writeInterval=5, **ASCII)
+        case.path.mkdir()
+        case.fields['U'] = '(0.02 0.01 0.03)'
+        case.particles({'x': 2.1e-3, 'y': 2.2e-3, 'z': 2.3e-3, 'd': d, 'vx': 0.01})
+        case.properties = {
+            'engine': 'liggghts', 'materials': {'glass': GLASS}, 'contacts': CONTACTS, 'insertion': of_file(),
+            'output': ('csv',),
+            'coupling': case.coupling('Stokes', 'none', pressure=False, model='B', momentum='none',
+                                      interpolation=interpolation, carrierVelocity=on)}
+        case.mesh()
+        run(case)
+        ends[on] = case.table(5e-3)
+    gone = np.exp(-5e-3 / tau)
+    v = vectors(ends[False])[0]
+    assert abs(v[0] / (0.01 * gone) - 1) < 1e-9 and np.abs(v[1:]).max() < 1e-18
+    assert np.abs(vectors(ends[True])[0] - (np.array([0.02, 0.01, 0.03]) * (1 - gone) + [0.01 * gone, 0, 0])).max() < 1e-8

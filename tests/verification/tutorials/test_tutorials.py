@@ -26,7 +26,8 @@ def fresh(path, name):
 @pytest.mark.parametrize('name', ['demFoam/collisions', pytest.param('demFoam/packing', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
                                   'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction',
-                                  'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime'])
+                                  'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
+                                  pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):
     case = fresh(tmp_path / 'case', name)
     done = run_command(['./Allrun'], case, 1200)
