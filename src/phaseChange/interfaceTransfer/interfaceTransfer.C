@@ -220,7 +220,8 @@ void Foam::dew::interfaceTransfer::linearise
         const scalar before = Ts_[k];
 
         gasFilm film;
-        film.Y = Y ? (*Y)[face.gas] : 0;
+        // An iteration may overshoot pure vapour
+        film.Y = Y ? min((*Y)[face.gas], 1 - 1e-6) : 0;
         film.T = T[face.gas];
         film.L = face.dG;
         film.cosine = cosine(face)*areaScale_;
