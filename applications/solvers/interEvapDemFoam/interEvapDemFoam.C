@@ -114,12 +114,8 @@ int main(int argc, char *argv[])
         // Vapour and heat around the present surface: what evaporates. The
         // first step has no other to go on from
         const label nIter = (ledger.rate() == 0 ? 20 : 1)*nGasCorrectors;
-        for
-        (
-            label iter = 0;
-            iter < nIter && interface.change() > gasTolerance;
-            iter++
-        )
+        label iter = 0;
+        for (; iter < nIter && interface.change() > gasTolerance; iter++)
         {
             #include "gasRows.H"
             interface.linearise(T, Y.get(), energy);
