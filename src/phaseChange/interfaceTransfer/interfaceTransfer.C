@@ -272,7 +272,10 @@ void Foam::dew::interfaceTransfer::linearise
             dTsdY_[k] = -hvS*f.dNdY/sum;
             f.dNdY *= K/sum;
         }
-        change_ = max(change_, mag(Ts_[k] - before)/Ts_[k]);
+        if (before > 0)
+        {
+            change_ = max(change_, mag(Ts_[k] - before)/Ts_[k]);
+        }
 
         const scalar V = mesh_.V()[face.gas];
         const filmFlux& f = flux_[k];
