@@ -104,7 +104,7 @@ def test_diffusion_without_inertia(tmp_path, n_sub):
 
 @pytest.mark.parametrize('q', [0.1, 10])
 def test_boltzmann_distribution_in_a_trap(tmp_path, q):
-    """A particle that a flow holds out of the surface fluctuates along the normal with the variance kT/k, at any
+    """A particle that a force holds out of the surface fluctuates along the normal with the variance kT/k, at any
     k dt/Sp; 3 % of the width are 7 standard errors of 3e4 samples."""
     steps, dt = 40, 1e-6
     k = q * SP / dt
@@ -113,7 +113,7 @@ def test_boltzmann_distribution_in_a_trap(tmp_path, q):
     assert wide < 0.1 * R
     x = np.insert(6*D * (np.array(list(np.ndindex(30, 30))) + 1), 0, 100*D + 0.5*R, axis=1)
     case = colloids(tmp_path, x, dt, max(1, int(6 / q)), steps, OVERDAMPED, modulus=1)
-    run(case, {'Sp': SP, 'U': (U, 0, 0), 'kT': KT, 'surfaceX': (100*D, 0, 0), 'surfaceN': (1, 0, 0),
+    run(case, {'Sp': SP, 'U': (0, 0, 0), 'Su': (SP * U, 0, 0), 'kT': KT, 'surfaceX': (100*D, 0, 0), 'surfaceN': (1, 0, 0),
                'surfaceSpeed': 0, 'surfaceCurvature': 0, 'surfaceK': k})
     out = np.array([state(case, n * dt * max(1, int(6 / q)))['x'] for n in range(4, steps + 1)]) - 100*D - 0.5*R
     assert abs(out.std() / wide - 1) < 0.03
