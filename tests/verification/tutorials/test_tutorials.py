@@ -25,7 +25,6 @@ def fresh(path, name):
 
 @pytest.mark.parametrize('name', ['demFoam/collisions', pytest.param('demFoam/packing', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
-                                  pytest.param('cfdDemFoam/bubblingBed', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/Goldschmidt', marks=pytest.mark.slow),
                                   'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction',
                                   'cfdDemFoam/packedBedHeat', 'cfdDemFoam/hinderedSettling',
