@@ -120,6 +120,7 @@ public:
     int size() const override { return lmp_->atom->nlocal; }
     void pull(const stateView&) const override;
     std::vector<departedParticle> departed() override;
+    double wallHeat() const override;
     long step() const override { return long(lmp_->update->ntimestep); }
     long total() const override;
     void writeRestart(const std::string& file) override;
