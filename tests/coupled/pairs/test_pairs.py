@@ -112,7 +112,7 @@ def test_velocity_in_the_gap(tmp_path):
     """The same velocity on the way in, at every time; v is half a sub-step from s, dt F/m* of v."""
     v0, s0 = 0.02, 6e-5
     k = 6 * np.pi * MU * (R / 2)**2
-    case, _ = run(tmp_path, pair(s0, v0), 3.2e-3, LIMIT / 20, n_out=16)
+    case, _ = run(tmp_path, pair(s0, v0), 3e-3, LIMIT / 20, n_out=16)
     slowest = v0
     for n in range(16):
         s, v = opening(rows_of(case, n))
@@ -127,10 +127,11 @@ def test_wet_restitution(tmp_path):
     """Through the gap, contact with e, and out again: e_wet = e (1 - u) - u, u = (k/m*)/v0 times -G at touch. 1 % is
     that of contacts, which begin and end between two sub-steps."""
     v0, s0, e = 0.2, 6e-5, 0.8
-    k = 6 * np.pi * 10 * MU * (R / 2)**2
+    k = 6 * np.pi * 2 * MU * (R / 2)**2
     u = -k / (M / 2) * G(0.0) / v0
     assert 0.5 < e * (1 - u) - u < 0.7
-    case, _ = run(tmp_path, pair(s0, v0), 5 * s0 / v0, LIMIT / 10, lubrication={**LUBRICATION, 'viscosity': 10 * MU})
+    case, _ = run(tmp_path, pair(s0, v0), 5 * s0 / v0, LIMIT / 10,
+                  lubrication={**LUBRICATION, 'viscosity': 2 * MU})
     s, v = opening(rows_of(case))
     assert s > S_MAX
     assert abs(v / v0 / (e * (1 - u) - u) - 1) < 0.01
@@ -209,8 +210,12 @@ def test_impulse_of_other_forces_at_any_stiffness(tmp_path, mu):
         s = row['z'] - R
         assert 0 < s < s0
         gained = M * (row['vz'] - v0) + k * (G(s) - G(s0)) + Sp * (s - s0)
-        # Of first order at the start, where the force of half a sub-step is missing
-        assert abs(gained / ((Sp * U - M * g) * t) - 1) < 2 * LIMIT / t + 1e-6 / (s / s0)
+        # The gap hears of a new force when it has moved by it for a sub-step, a dt^2/2
+        F = Sp * U - M * g
+        late = k * (1 / s - 1 / S_MAX) * abs(F) / M * LIMIT**2
+        assert abs(gained - F * t) < abs(F) * 2 * LIMIT + late
+        if mu > 1:
+            assert late > 0.01 * abs(F) * t
 
 
 def cloud(n=200, seed=7):
@@ -242,7 +247,7 @@ def test_third_law_and_ranks(tmp_path, mu):
         assert np.abs(p[0] - M * v0.sum(0)).max() < 1e-14 * M * np.abs(v0).sum()
         assert np.abs(np.diff(p, axis=0)).max() < 1e-14 * M * np.abs(v0).sum()
         assert np.all(np.diff(energy) < 1e-12 * energy[0])
-        assert energy[-1] < 0.9 * energy[0]
+        assert energy[-1] < 0.98 * energy[0]
         states.append(rows_of(case))
     for names in ('x y z', 'vx vy vz'):
         one, two = (vectors(s, names) for s in states)
@@ -377,13 +382,18 @@ def test_impact_gives_its_heat_once(tmp_path):
 
 
 def test_a_ball_that_bounces_on_a_hot_wall(tmp_path):
-    """Near the wall without touching it passes no heat (contact), and each impact gives its own (impact): the speeds
-    of touch are v0, e v0 sqrt... by energy: the heat of two touches is larger than that of one."""
-    end, heats = 0.02, {}
+    """Near the wall without touching it passes no heat (contact); each impact gives its own, once (impact): their
+    number is that of the ballistic flights 2 e^n v/g between contacts of Hertz' duration. All heat is in the ledger."""
+    end, heats, e, g = 0.02, {}, 0.8, 9.81
+    v, t, expected = np.sqrt(0.03**2 + 2 * g * 2e-6), 2e-6 / 0.03, 0
+    while t < end:
+        expected += 1
+        t += 2.87 * (M**2 / (R * (1e8 / 1.82)**2 * v))**0.2 + 2 * e * v / g
+        v *= e
     for law in ('contact', 'impact', 'none'):
         case, output = run(tmp_path / law, {'x': 5e-3, 'y': 5e-3, 'z': R + 2e-6, 'd': 2 * R, 'vz': -0.03, 'T': 300.0},
-                           end, LIMIT, n_out=200, gravity=(0, 0, -9.81), heat=True, lubrication=None,
-                           conduction={'type': law}, restitution=0.8,
+                           end, LIMIT, n_out=200, gravity=(0, 0, -g), heat=True, lubrication=None,
+                           conduction={'type': law}, restitution=e,
                            walls={'floor': {'type': 'patch', 'patches': ('zMin',), 'material': 'glass', 'T': 350}})
         T = np.array([rows_of(case, n)['T'][0] for n in range(200)])
         z = np.array([rows_of(case, n)['z'][0] for n in range(200)]) - R
@@ -396,9 +406,7 @@ def test_a_ball_that_bounces_on_a_hot_wall(tmp_path):
             walls = np.array([float(q) for q in re.findall(r'walls (\S+)', output)])
             assert abs(walls.sum() / (M * CP * heats[law]) - 1) < 1e-4
         if law == 'impact':
-            # Apart from round-off, T changes in single steps: one for each touch
-            touches = (np.diff(T) > 0).sum()
-            assert 2 <= touches <= 5
+            assert (np.diff(np.append(300, T)) > 0).sum() == expected == 7
     assert heats['none'] == 0
 
 
