@@ -66,11 +66,9 @@ Foam::dew::particleExchange::particleExchange
     (
         voidFractionModel::New(userEntry::subDict(dict_, "voidFraction"))
     ),
-    laws_
-    (
-        dict_, fluid.T,
-        fluid.psi && fluid.n && fluid.surfaceSpeed && fluid.curvature
-    ),
+    laws_(dict_, fluid.offered()),
+    seenVelocity_(dict_, fluid.offered()),
+    needs_(laws_.needs()),
     map_(mesh, voidFraction_->stencil()),
     alphac_
     (
@@ -96,9 +94,12 @@ Foam::dew::particleExchange::particleExchange
         dict_,
         {
             "model", "voidFraction", "alphacMin", "interpolation",
-            "carrierVelocity", "momentum", "heat", "forces", "heatTransfer"
+            "carrierVelocity", "seenVelocity", "momentum", "heat", "forces",
+            "heatTransfer"
         }
     );
+
+    needs_.add(seenVelocity_.needs());
 
     if (particleProperties.found("frameAcceleration"))
     {
@@ -152,6 +153,15 @@ Foam::dew::particleExchange::particleExchange
             << " type inertial" << exit(FatalIOError);
     }
 
+    if (state_.overdamped && laws_.needs().addedMass)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "A law in 'forces' has an added mass, but particles in overdamped"
+            << " dynamics have no inertia" << nl
+            << "Remove virtualMass and history, or set dynamics of type inertial"
+            << exit(FatalIOError);
+    }
+
     if (!carrierVelocity_ && twoWay())
     {
         FatalIOErrorInFunction(dict_)
@@ -166,6 +176,7 @@ Foam::dew::particleExchange::particleExchange
     occupy();
     alphac_.oldTime();
     readKicks();
+    readMemory();
 }
 
 
@@ -357,7 +368,18 @@ const Foam::dew::bulkForces& Foam::dew::particleExchange::forces()
     const clockTime clock;
 
     checkFinite();
-    gatherCarriers();
+    {
+        const tmp<tensorField> gradU(velocityGradient());
+        gatherHere(gradU.valid() ? &gradU() : nullptr);
+        if (needs().surface)
+        {
+            gatherSurfaces();
+        }
+        if (needs().motion())
+        {
+            gatherMotion(gradU());
+        }
+    }
     evaluateLaws();
 
     updateKicks();
@@ -388,9 +410,22 @@ void Foam::dew::particleExchange::correct()
     {
         heat_->correct(state_.heat, state_.heatSp);
     }
+    keepLastForce();
     kicked_ = false;
 
     exchangeTime_ += clock.elapsedTime();
+}
+
+
+void Foam::dew::particleExchange::keepLastForce()
+{
+    lastForce_.setSize(needs().lastForce ? state_.size() : 0);
+    const scalar perStep = 1/mesh_.time().deltaTValue();
+
+    forAll(lastForce_, i)
+    {
+        lastForce_[i] = perStep*state_.impulse[i];
+    }
 }
 
 

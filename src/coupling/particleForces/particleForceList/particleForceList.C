@@ -23,17 +23,15 @@ Foam::dew::particleForceList::modelNames
 Foam::dew::particleForceList::particleForceList
 (
     const dictionary& dict,
-    const bool temperature,
-    const bool surface
+    const lawNeeds& offered
 )
 :
     model_(modelNames.getOrDefault("model", dict, models::A)),
-    needsTemperature_(false),
-    needsSurface_(false),
     brownian_(false)
 {
     const dictionary& laws = userEntry::subDict(dict, "forces");
     laws_.setSize(laws.size());
+    memoryStart_.setSize(laws.size(), Zero);
 
     label n = 0;
     bool pressure = false;
@@ -48,7 +46,8 @@ Foam::dew::particleForceList::particleForceList
             pressure
          || laws_[n - 1].reaction() == particleForce::reactions::sharedPressure;
 
-        add(laws_[n - 1], laws.subDict(e.keyword()), temperature, surface);
+        memoryStart_[n - 1] = needs_.memory;
+        add(laws_[n - 1], laws.subDict(e.keyword()), offered);
     }
 
     if (model_ == models::A && n > 0 && !pressure)
@@ -66,37 +65,22 @@ void Foam::dew::particleForceList::add
 (
     const particleForce& law,
     const dictionary& dict,
-    const bool temperature,
-    const bool surface
+    const lawNeeds& offered
 )
 {
+    const lawNeeds needs(law.needs());
     const bool brownian = isA<particleForces::Brownian>(law);
 
-    if ((brownian && brownian_) || (law.needsSurface() && needsSurface_))
+    if ((brownian && brownian_) || (needs.surface && needs_.surface))
     {
         FatalIOErrorInFunction(dict)
             << "A second law " << law.type() << ": " << dict.name() << nl
             << "Remove one of the two" << exit(FatalIOError);
     }
-    if (law.needsTemperature() && !temperature)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Law " << law.type() << " needs a temperature, and the fluid has"
-            << " none: " << dict.name() << nl
-            << "Add the entry 'T', e.g. T 298.15; or a field T to the start"
-            << " time" << exit(FatalIOError);
-    }
-    if (law.needsSurface() && !surface)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Law " << law.type() << " needs a solver with a liquid surface: "
-            << dict.name() << nl
-            << "Use a solver of drops, or remove the law" << exit(FatalIOError);
-    }
+    needs.refuse(law.type(), dict, offered);
 
     brownian_ = brownian_ || brownian;
-    needsTemperature_ = needsTemperature_ || law.needsTemperature();
-    needsSurface_ = needsSurface_ || law.needsSurface();
+    needs_.add(needs);
 }
 
 
@@ -104,14 +88,17 @@ void Foam::dew::particleForceList::add
 
 Foam::dew::particleForceList::sum Foam::dew::particleForceList::total
 (
-    const particle& p,
+    particle p,
     const carrier& c
 ) const
 {
     sum result;
+    scalar* const memory = p.memory;
 
-    for (const particleForce& law : laws_)
+    forAll(laws_, k)
     {
+        const particleForce& law = laws_[k];
+        p.memory = memory + memoryStart_[k];
         const forceSuSp f(law.force(p, c));
 
         if (law.reaction() == particleForce::reactions::fluid)
@@ -126,6 +113,7 @@ Foam::dew::particleForceList::sum Foam::dew::particleForceList::total
 
             result.Su += factor*f.Su;
             result.Sp += factor*f.Sp;
+            result.addedMass += f.addedMass;
         }
         else
         {
@@ -133,6 +121,8 @@ Foam::dew::particleForceList::sum Foam::dew::particleForceList::total
         }
         result.kT += f.kT;
         result.surfaceK += f.surfaceK;
+        result.Tu += f.Tu;
+        result.Tp += f.Tp;
     }
 
     return result;
