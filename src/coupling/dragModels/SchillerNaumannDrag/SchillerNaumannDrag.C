@@ -45,7 +45,5 @@ Foam::scalar Foam::dew::dragModels::SchillerNaumannDrag::Sp
     const carrier& c
 ) const
 {
-    const scalar Re = c.rho*mag(c.U - p.U)*p.d/c.mu;
-
-    return stokes(p, c)*CdRe(Re)/24;
+    return stokes(p, c)*CdRe(ReSingle(p, c))/24;
 }
