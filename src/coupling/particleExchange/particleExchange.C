@@ -138,6 +138,15 @@ Foam::dew::particleExchange::particleExchange
     }
     ledger_.thermal = bool(heat_);
 
+    for (const particleForce& law : laws_.laws())
+    {
+        ranges_.add(law.type(), law.ranges());
+    }
+    if (heatTransfer_)
+    {
+        ranges_.add(heatTransfer_->type(), heatTransfer_->ranges());
+    }
+
     if
     (
         state_.overdamped
@@ -472,6 +481,10 @@ void Foam::dew::particleExchange::report()
 
     ledger_.print();
     ledger_.write();
+    if (mesh_.time().writeTime())
+    {
+        ranges_.print();
+    }
 
     exchangeTime_ += clock.elapsedTime();
 }

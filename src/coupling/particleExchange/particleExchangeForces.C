@@ -189,6 +189,7 @@ void Foam::dew::particleExchange::evaluateLaws()
         forces_.surfaceK.setSize(n);
     }
     relaxation_ = 0;
+    ranges_.restart();
 
     for (label i = 0; i < n; i++)
     {
@@ -208,6 +209,7 @@ void Foam::dew::particleExchange::evaluateLaws()
         if (c.rho > 0)
         {
             f = laws_.total(p, c);
+            ranges_.count(p, c);
             if (heatTransfer_)
             {
                 Qp = heatTransfer_->Qp(p, c);

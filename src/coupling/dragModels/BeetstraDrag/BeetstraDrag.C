@@ -6,6 +6,7 @@
 
 #include "BeetstraDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -53,4 +54,14 @@ Foam::scalar Foam::dew::dragModels::BeetstraDrag::Sp
        *inertial/(inertial + pow(10.0, 3*phi));
 
     return stokes(p, c)*eps*(F0 + F1);
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::BeetstraDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSuperficial, 0, 1000},
+        {"alphac", lawQuantities::voidFraction, 0.4, 1}
+    };
 }

@@ -6,6 +6,7 @@
 
 #include "DallavalleDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -42,4 +43,13 @@ Foam::scalar Foam::dew::dragModels::DallavalleDrag::Sp
     const scalar CdRe = sqr(0.63*sqrt(ReSingle(p, c)) + 4.8);
 
     return stokes(p, c)*CdRe/24;
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::DallavalleDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSingle, 0, 2e5}
+    };
 }

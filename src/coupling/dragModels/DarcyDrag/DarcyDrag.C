@@ -6,6 +6,7 @@
 
 #include "DarcyDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -40,4 +41,14 @@ Foam::scalar Foam::dew::dragModels::DarcyDrag::Sp
 ) const
 {
     return 180*p.volume()*(1 - c.alphac)*c.mu/(c.alphac*sqr(p.d));
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::DarcyDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSuperficial, 0, 1},
+        {"alphac", lawQuantities::voidFraction, 0.3, 0.7}
+    };
 }

@@ -6,6 +6,7 @@
 
 #include "HaiderLevenspielDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -45,4 +46,13 @@ Foam::scalar Foam::dew::dragModels::HaiderLevenspielDrag::Sp
         24*(1 + 0.1806*pow(Re, 0.6459)) + 0.4251*sqr(Re)/(Re + 6880.95);
 
     return stokes(p, c)*CdRe/24;
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::HaiderLevenspielDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSingle, 0, 2.6e5}
+    };
 }

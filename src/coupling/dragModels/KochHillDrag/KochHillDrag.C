@@ -6,6 +6,7 @@
 
 #include "KochHillDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -54,4 +55,14 @@ Foam::scalar Foam::dew::dragModels::KochHillDrag::Sp
     const scalar F3 = 0.0673 + 0.212*phi + 0.0232/pow5(eps);
 
     return stokes(p, c)*sqr(eps)*(F0 + 0.5*F3*Re(p, c));
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::KochHillDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSuperficial, 0, 120},
+        {"alphac", lawQuantities::voidFraction, 0.36, 1}
+    };
 }

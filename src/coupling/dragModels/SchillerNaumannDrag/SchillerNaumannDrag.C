@@ -6,6 +6,7 @@
 
 #include "SchillerNaumannDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -46,4 +47,13 @@ Foam::scalar Foam::dew::dragModels::SchillerNaumannDrag::Sp
 ) const
 {
     return stokes(p, c)*CdRe(ReSingle(p, c))/24;
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::SchillerNaumannDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSingle, 0, 2e5}
+    };
 }

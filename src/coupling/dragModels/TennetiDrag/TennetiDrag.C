@@ -6,6 +6,7 @@
 
 #include "TennetiDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -48,4 +49,14 @@ Foam::scalar Foam::dew::dragModels::TennetiDrag::Sp
       + pow3(phi)*Re*(0.95 + 0.61*pow3(phi)/sqr(eps));
 
     return stokes(p, c)*sqr(eps)*F;
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::TennetiDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSuperficial, 0, 300},
+        {"alphac", lawQuantities::voidFraction, 0.5, 1}
+    };
 }

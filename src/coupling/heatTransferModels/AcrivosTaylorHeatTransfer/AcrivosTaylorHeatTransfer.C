@@ -6,6 +6,7 @@
 
 #include "AcrivosTaylorHeatTransfer.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -49,4 +50,14 @@ Foam::scalar Foam::dew::heatTransferModels::AcrivosTaylorHeatTransfer::Nu
     const scalar lnPe = log(max(Pe, VSMALL));
 
     return 2 + Pe*(0.5 + Pe*(0.03404 + lnPe*(0.25 + Pe/16)));
+}
+
+
+Foam::dew::lawRanges Foam::dew::heatTransferModels::AcrivosTaylorHeatTransfer::ranges() const
+{
+    return
+    {
+        {"Pe", lawQuantities::Pe, 0, 1},
+        {"Re", lawQuantities::ReSingle, 0, 1}
+    };
 }

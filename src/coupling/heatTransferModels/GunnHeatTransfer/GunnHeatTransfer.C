@@ -6,6 +6,7 @@
 
 #include "GunnHeatTransfer.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -49,4 +50,14 @@ Foam::scalar Foam::dew::heatTransferModels::GunnHeatTransfer::Nu
     return
         (7 - 10*alphac + 5*sqr(alphac))*(1 + 0.7*pow(superficial, 0.2)*third)
       + (1.33 - 2.4*alphac + 1.2*sqr(alphac))*pow(superficial, 0.7)*third;
+}
+
+
+Foam::dew::lawRanges Foam::dew::heatTransferModels::GunnHeatTransfer::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSuperficial, 0, 1e5},
+        {"alphac", lawQuantities::voidFraction, 0.35, 1}
+    };
 }

@@ -6,6 +6,7 @@
 
 #include "particleForceList.H"
 #include "Brownian.H"
+#include "dragModel.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -48,19 +49,56 @@ Foam::dew::particleForceList::particleForceList
             pressure
          || laws_[n - 1].reaction() == particleForce::reactions::sharedPressure;
 
+        checkBeside(n - 1, laws_[n - 1], laws.subDict(e.keyword()));
         add(laws_[n - 1], laws.subDict(e.keyword()), temperature, surface);
     }
 
-    if (model_ == models::A && n > 0 && !pressure)
+    if (n > 0)
     {
-        Info<< "WARNING: model A without pressureGradientForce in "
-            << laws.name() << ": nobody carries the particles' share of the"
-            << " pressure gradient, and they have no buoyancy" << nl << endl;
+        tellPressure(pressure, laws.name());
     }
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::particleForceList::checkBeside
+(
+    const label n,
+    const particleForce& law,
+    const dictionary& dict
+) const
+{
+    for (label i = 0; i < n; i++)
+    {
+        const particleForce& other = laws_[i];
+        const bool drags = isA<dragModel>(law) && isA<dragModel>(other);
+
+        if
+        (
+            drags || law.type() == other.type()
+         || (law.needsSurface() && other.needsSurface())
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "A second " << (drags ? "drag law " : "law ") << law.type()
+                << " beside " << other.type() << ", whose forces would add: "
+                << dict.name() << nl << "Remove one of the two"
+                << exit(FatalIOError);
+        }
+    }
+
+    if (model_ == models::B && !law.inModelB())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Law " << law.type() << " does nothing in model B, where"
+            << " particles see no pressure gradient, as it is set: "
+            << dict.name() << nl
+            << "Remove it, set 'buoyancy on;' in it, or 'model A;'"
+            << exit(FatalIOError);
+    }
+}
+
 
 void Foam::dew::particleForceList::add
 (
@@ -70,14 +108,6 @@ void Foam::dew::particleForceList::add
     const bool surface
 )
 {
-    const bool brownian = isA<particleForces::Brownian>(law);
-
-    if ((brownian && brownian_) || (law.needsSurface() && needsSurface_))
-    {
-        FatalIOErrorInFunction(dict)
-            << "A second law " << law.type() << ": " << dict.name() << nl
-            << "Remove one of the two" << exit(FatalIOError);
-    }
     if (law.needsTemperature() && !temperature)
     {
         FatalIOErrorInFunction(dict)
@@ -94,9 +124,30 @@ void Foam::dew::particleForceList::add
             << "Use a solver of drops, or remove the law" << exit(FatalIOError);
     }
 
-    brownian_ = brownian_ || brownian;
+    brownian_ = brownian_ || isA<particleForces::Brownian>(law);
     needsTemperature_ = needsTemperature_ || law.needsTemperature();
     needsSurface_ = needsSurface_ || law.needsSurface();
+}
+
+
+void Foam::dew::particleForceList::tellPressure
+(
+    const bool pressure,
+    const fileName& where
+) const
+{
+    if (model_ == models::A && !pressure)
+    {
+        Info<< "WARNING: model A without pressureGradientForce in " << where
+            << ": nobody carries the particles' share of the"
+            << " pressure gradient, and they have no buoyancy" << nl << endl;
+    }
+    if (model_ == models::B && pressure)
+    {
+        Info<< "WARNING: model B with pressureGradientForce in " << where
+            << ": only its buoyancy acts, the pressure gradient of the flow is"
+            << " in the drag" << nl << endl;
+    }
 }
 
 
