@@ -139,6 +139,15 @@ Foam::dew::particleExchange::particleExchange
     }
     ledger_.thermal = bool(heat_);
 
+    for (const particleForce& law : laws_.laws())
+    {
+        ranges_.add(law.type(), law.ranges());
+    }
+    if (heatTransfer_)
+    {
+        ranges_.add(heatTransfer_->type(), heatTransfer_->ranges());
+    }
+
     if
     (
         state_.overdamped
@@ -507,6 +516,10 @@ void Foam::dew::particleExchange::report()
 
     ledger_.print();
     ledger_.write();
+    if (mesh_.time().writeTime())
+    {
+        ranges_.print();
+    }
 
     exchangeTime_ += clock.elapsedTime();
 }
