@@ -60,13 +60,6 @@ Foam::dew::pressureDrop::pressureDrop
 
 const Foam::fvMesh& Foam::dew::pressureDrop::mesh() const
 {
-    if (!isA<fvMesh>(obr_))
-    {
-        FatalErrorInFunction
-            << "Function object " << name() << " of type " << typeName
-            << " finds no fluid" << nl << "Use it with a solver that has one"
-            << exit(FatalError);
-    }
     return refCast<const fvMesh>(obr_);
 }
 
@@ -238,7 +231,15 @@ bool Foam::dew::pressureDrop::read(const dictionary& dict)
     {
         averageStart_ = userEntry::number(dict, "averageStart", dimTime);
     }
-    mesh();
+
+    if (!isA<fvMesh>(obr_))
+    {
+        // A plain error would only be a warning here
+        FatalIOErrorInFunction(dict)
+            << "Function object " << name() << " of type " << typeName
+            << " finds no fluid" << nl << "Use it with a solver that has one"
+            << exit(FatalIOError);
+    }
     userEntry::subDict(dict, "from");
     userEntry::subDict(dict, "to");
 
