@@ -28,8 +28,8 @@ def build(path, particles, fields, void='particleCentre', cyclic='xyz', average=
     """A case of cfdDemFoam with the function object phase; average: more entries of it."""
     entries = {'type': 'particleAverages', 'libs': '(dewFunctionObjects)', 'fields': fields,
                'writeControl': 'writeTime', **(average or {})}
-    case = FluidCase(path, cyclic=cyclic, functions={'phase': entries},
-                     **{'gravity': (0, 0, 0), 'writeFormat': 'ascii', 'writePrecision': 17, **control})
+    case = FluidCase(path, cyclic=cyclic,
+                     **{'functions': {'phase': entries}, 'gravity': (0, 0, 0), 'writeFormat': 'ascii', 'writePrecision': 17, **control})
     case.particles(particles)
     case.properties = {
         'engine': 'liggghts', 'heat': heat, 'materials': materials or {'glass': GLASS, 'heavy': HEAVY},
