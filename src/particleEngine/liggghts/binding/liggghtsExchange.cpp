@@ -7,6 +7,7 @@
 // Bulk forces to the engine, state and what was received from it
 
 #include "liggghtsEmbedded.h"
+#include "fixConduction.h"
 #include "fixGravity.h"
 #include "impulseSensitivity.H"
 
@@ -92,6 +93,15 @@ void getVectors(double** from, const int n, double* to, const double factor)
             to[3*i + k] = factor*from[i][k];
         }
     }
+}
+
+//- Null without conduction
+Foam::dew::fixConduction* findConduction(Modify& modify)
+{
+    return dynamic_cast<Foam::dew::fixConduction*>
+    (
+        modify.find_fix_style("dew/conduction", 0)
+    );
 }
 
 } // End anonymous namespace
@@ -337,6 +347,10 @@ void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
     {
         gravity->clear();
     }
+    if (auto* conduction = findConduction(*lmp_->modify))
+    {
+        conduction->clear();
+    }
 
     // Decided together: a particle may migrate to a rank that pushed nothing
     int any[2] =
@@ -476,4 +490,12 @@ Foam::dew::liggghtsEmbedded::departed()
     }
 
     return result;
+}
+
+
+double Foam::dew::liggghtsEmbedded::wallHeat() const
+{
+    const fixConduction* conduction = findConduction(*lmp_->modify);
+    return
+        conduction ? conduction->wallHeat()*units_.power()*units_.time : 0;
 }

@@ -255,6 +255,7 @@ void Foam::dew::liggghtsEngine::pull()
             ledger_.departedVolume = returnReduce(volume, sumOp<scalar>());
             ledger_.departedImpulse = returnReduce(impulse, sumOp<vector>());
             ledger_.departedHeat = returnReduce(heat, sumOp<scalar>());
+            ledger_.wallHeat = returnReduce(e.wallHeat(), sumOp<scalar>());
             ledger_.departedTotal += ledger_.departed;
             ledger_.impulse += ledger_.departedImpulse;
             ledger_.heat += ledger_.departedHeat;
