@@ -56,7 +56,6 @@ void findNotFinite
 void Foam::dew::particleExchange::gatherCarriers()
 {
     const volVectorField& U = fluid_.Uc;
-    const vectorField& gradp = fluid_.gradp;
     const vectorField& C = mesh_.C();
     const bool shared = laws_.model() == particleForceList::models::A;
     const bool thermal = bool(heatTransfer_) || laws_.needsTemperature();
@@ -80,6 +79,15 @@ void Foam::dew::particleExchange::gatherCarriers()
         gradT = linearGradient(*fluid_.T, symmetry);
     }
 
+    // As the particles share it: what they take of the pressure the fluid loses
+    vectorField gradp;
+    if (shared)
+    {
+        gradp = fluid_.gradp.primitiveField();
+        smoothing_->average(gradp);
+    }
+    const scalarField& alphac = alphac_.field();
+
     const auto shares = [&](const auto& cells, carrier& c)
     {
         c.alphac = 0;
@@ -88,7 +96,7 @@ void Foam::dew::particleExchange::gatherCarriers()
         (
             [&](const label celli, const scalar w)
             {
-                c.alphac += w*alphac_[celli];
+                c.alphac += w*alphac[celli];
                 if (shared)
                 {
                     c.gradp += w*gradp[celli];
