@@ -53,7 +53,7 @@ Foam::fileName Foam::dew::particleExchange::restartToRead
 }
 
 
-void Foam::dew::particleExchange::readKicks()
+bool Foam::dew::particleExchange::readKicks()
 {
     // Sources of a step that is over: nothing is pending but what was written
     const label n = state_.size();
@@ -87,7 +87,7 @@ void Foam::dew::particleExchange::readKicks()
                 << path << nl << "Start from an earlier time, or from the"
                 << " beginning" << exit(FatalError);
         }
-        return;
+        return false;
     }
 
     boolList known;
@@ -115,6 +115,7 @@ void Foam::dew::particleExchange::readKicks()
             heatKick_[i] = v[3];
         }
     }
+    return true;
 }
 
 
