@@ -71,7 +71,7 @@ Foam::dew::particleExchange::particleExchange
         dict_, fluid.T,
         fluid.psi && fluid.n && fluid.surfaceSpeed && fluid.curvature
     ),
-    map_(mesh, voidFraction_->stencil()),
+    map_(mesh, voidFraction_->support(mesh)),
     alphac_
     (
         IOobject
@@ -264,8 +264,9 @@ void Foam::dew::particleExchange::checkSize() const
             << ", alphacMin " << alphacMin_ << " leaves room for "
             << 1 - alphacMin_ << nl
             << "Use a coarser mesh, or another voidFraction model (valid: "
-            << "divided from about one particle diameter a cell, none for"
-            << " particles that displace nothing)"
+            << "divided from about one particle diameter a cell, Gaussian and"
+            << " bigParticle also for smaller cells, none for particles that"
+            << " displace nothing)"
             << exit(FatalIOError);
     }
 }

@@ -125,7 +125,7 @@ int main(int argc, char *argv[])
     dew::particleMesh map
     (
         mesh,
-        dew::voidFractionModel::New(dict.subDict("voidFraction"))->stencil()
+        dew::voidFractionModel::New(dict.subDict("voidFraction"))->support(mesh)
     );
 
     if (dict.getOrDefault("before", false))
