@@ -61,7 +61,7 @@ Foam::dew::particleExchange::particleExchange
     laws_(dict_, fluid.offered()),
     seenVelocity_(dict_, fluid.offered()),
     needs_(laws_.needs()),
-    map_(mesh, voidFraction_->stencil()),
+    map_(mesh, voidFraction_->support(mesh)),
     smoothing_(smoothing::New(dict_, mesh)),
     alphac_(dict_, voidFraction_(), smoothing_(), map_, mesh),
     momentum_(dict_, map_, smoothing_(), fluid.U),
