@@ -153,3 +153,24 @@ void Foam::dew::particleMesh::gather
         guests_.reverse(held, merge, values);
     }
 }
+
+
+template<class Type, class HostOp>
+void Foam::dew::particleMesh::gatherHosted
+(
+    UList<Type>& values,
+    const HostOp& hosted
+) const
+{
+    const labelUList& hostCell = hosts_.cells();
+
+    List<Type> held(hostCell.size());
+    forAll(held, k)
+    {
+        hosted(hostCell[k], symmetry().fold(x_[k]), held[k]);
+    }
+    hosts_.map().reverse
+    (
+        held, [](Type& to, const Type& from) { to = from; }, values
+    );
+}
