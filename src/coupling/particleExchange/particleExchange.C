@@ -58,12 +58,10 @@ Foam::dew::particleExchange::particleExchange
     (
         voidFractionModel::New(userEntry::subDict(dict_, "voidFraction"))
     ),
-    laws_
-    (
-        dict_, fluid.T,
-        fluid.psi && fluid.n && fluid.surfaceSpeed && fluid.curvature
-    ),
-    map_(mesh, voidFraction_->stencil()),
+    laws_(dict_, fluid.offered()),
+    seenVelocity_(dict_, fluid.offered()),
+    needs_(laws_.needs()),
+    map_(mesh, voidFraction_->support(mesh)),
     smoothing_(smoothing::New(dict_, mesh)),
     alphac_(dict_, voidFraction_(), smoothing_(), map_, mesh),
     momentum_(dict_, map_, smoothing_(), fluid.U),
@@ -78,10 +76,13 @@ Foam::dew::particleExchange::particleExchange
         dict_,
         {
             "model", "voidFraction", "alphacMin", "alphacTime", "smoothing",
-            "interpolation", "carrierVelocity", "momentum", "heat", "forces",
+            "interpolation", "carrierVelocity", "seenVelocity", "momentum",
+            "heat", "forces",
             "heatTransfer"
         }
     );
+
+    needs_.add(seenVelocity_.needs());
 
     if (particleProperties.found("frameAcceleration"))
     {
@@ -124,6 +125,15 @@ Foam::dew::particleExchange::particleExchange
     }
     ledger_.thermal = bool(heat_);
 
+    for (const particleForce& law : laws_.laws())
+    {
+        ranges_.add(law.type(), law.ranges());
+    }
+    if (heatTransfer_)
+    {
+        ranges_.add(heatTransfer_->type(), heatTransfer_->ranges());
+    }
+
     if
     (
         state_.overdamped
@@ -138,6 +148,15 @@ Foam::dew::particleExchange::particleExchange
             << " type inertial" << exit(FatalIOError);
     }
 
+    if (state_.overdamped && laws_.needs().addedMass)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "A law in 'forces' has an added mass, but particles in overdamped"
+            << " dynamics have no inertia" << nl
+            << "Remove virtualMass and history, or set dynamics of type inertial"
+            << exit(FatalIOError);
+    }
+
     if (!carrierVelocity_ && twoWay())
     {
         FatalIOErrorInFunction(dict_)
@@ -149,6 +168,7 @@ Foam::dew::particleExchange::particleExchange
 
     findMap();
     alphac_.start(state_, readKicks(), ledger_);
+    readMemory();
 }
 
 
@@ -199,7 +219,18 @@ const Foam::dew::bulkForces& Foam::dew::particleExchange::forces()
     const clockTime clock;
 
     checkFinite();
-    gatherCarriers();
+    {
+        const tmp<tensorField> gradU(velocityGradient());
+        gatherHere(gradU.valid() ? &gradU() : nullptr);
+        if (needs().surface)
+        {
+            gatherSurfaces();
+        }
+        if (needs().motion())
+        {
+            gatherMotion(gradU());
+        }
+    }
     evaluateLaws();
 
     updateKicks();
@@ -230,9 +261,22 @@ void Foam::dew::particleExchange::correct()
     {
         heat_->correct(state_.heat, state_.heatSp);
     }
+    keepLastForce();
     kicked_ = false;
 
     exchangeTime_ += clock.elapsedTime();
+}
+
+
+void Foam::dew::particleExchange::keepLastForce()
+{
+    lastForce_.setSize(needs().lastForce ? state_.size() : 0);
+    const scalar perStep = 1/mesh_.time().deltaTValue();
+
+    forAll(lastForce_, i)
+    {
+        lastForce_[i] = perStep*state_.impulse[i];
+    }
 }
 
 
@@ -314,6 +358,10 @@ void Foam::dew::particleExchange::report()
 
     ledger_.print();
     ledger_.write();
+    if (mesh_.time().writeTime())
+    {
+        ranges_.print();
+    }
 
     exchangeTime_ += clock.elapsedTime();
 }

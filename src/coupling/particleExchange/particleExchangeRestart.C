@@ -4,7 +4,8 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-// Restart of the pending kicks, and averages of the particles
+// Restart of the pending kicks and of what laws remember, and averages of
+// the particles
 
 #include "particleExchange.H"
 #include "OSspecific.H"
@@ -24,9 +25,31 @@ constexpr Foam::label nKickValues = 4;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::fileName Foam::dew::particleExchange::kickFile() const
+Foam::fileName Foam::dew::particleExchange::restartFile
+(
+    const word& name
+) const
 {
-    return fileName("uniform")/"particles"/"exchange";
+    const Time& time = mesh_.time();
+    return time.path()/time.timeName()/"uniform"/"particles"/name;
+}
+
+
+Foam::fileName Foam::dew::particleExchange::restartToRead
+(
+    const word& name
+) const
+{
+    // Of the master's processor directory, or of the whole case, as the
+    // engine's own restart
+    const fileName path(restartFile(name));
+    if (isFile(path))
+    {
+        return path;
+    }
+    const Time& time = mesh_.time();
+    return
+        time.globalPath()/time.timeName()/"uniform"/"particles"/name;
 }
 
 
@@ -45,14 +68,9 @@ bool Foam::dew::particleExchange::readKicks()
     }
     kicked_ = true;
 
-    // Of the master's processor directory, or of the whole case, as the
-    // engine's own restart; a run of particles alone has none
+    // A run of particles alone has none
     const Time& time = mesh_.time();
-    fileName path(time.path()/time.timeName()/kickFile());
-    if (!isFile(path))
-    {
-        path = time.globalPath()/time.timeName()/kickFile();
-    }
+    const fileName path(restartToRead("exchange"));
     bool found = isFile(path);
     Pstream::scatter(found);
     if (!found)
@@ -101,6 +119,63 @@ bool Foam::dew::particleExchange::readKicks()
 }
 
 
+void Foam::dew::particleExchange::readMemory()
+{
+    const label n = state_.size(), nMemory = needs().memory;
+    memory_.setSize(nMemory*n, scalar(0));
+    lastForce_.setSize(needs().lastForce ? n : 0, vector::zero);
+
+    const label nValues = nMemory + (needs().lastForce ? 3 : 0);
+    const fileName path(restartToRead("laws"));
+    bool found = nValues && isFile(path);
+    Pstream::scatter(found);
+    if (!found)
+    {
+        return;
+    }
+
+    boolList known;
+    const List<scalar> values
+    (
+        particleRecord::read(path, state_.id, nValues, known)
+    );
+    for (label i = 0; i < n; i++)
+    {
+        const scalar* v = values.cdata() + nValues*i;
+        std::copy(v, v + nMemory, memory_.data() + nMemory*i);
+        if (needs().lastForce)
+        {
+            v += nMemory;
+            lastForce_[i] = vector(v[0], v[1], v[2]);
+        }
+    }
+}
+
+
+void Foam::dew::particleExchange::writeMemory() const
+{
+    const label nMemory = needs().memory;
+    const label nValues = nMemory + (needs().lastForce ? 3 : 0);
+    if (!nValues)
+    {
+        return;
+    }
+
+    List<scalar> values(nValues*state_.size());
+    for (label i = 0; i < state_.size(); i++)
+    {
+        scalar* v = values.data() + nValues*i;
+        const scalar* m = memory().cdata() + nMemory*i;
+        v = std::copy(m, m + nMemory, v);
+        for (direction k = 0; needs().lastForce && k < 3; k++)
+        {
+            v[k] = lastForce_[i][k];
+        }
+    }
+    particleRecord::write(restartFile("laws"), state_.id, values, nValues);
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::dew::particleExchange::writeObject
@@ -127,17 +202,15 @@ bool Foam::dew::particleExchange::writeObject
             v[3] = heatKick_[i];
         }
     }
-    const fileName path
-    (
-        mesh_.time().path()/mesh_.time().timeName()/kickFile()
-    );
+    const fileName path(restartFile("exchange"));
     if (Pstream::master())
     {
         mkDir(path.path());
     }
     particleRecord::write(path, state_.id, values, nKickValues);
+    writeMemory();
 
-    // Averages of the particles in each cell, by volume
+    // Averages of the particles in each cell, by mass
     scalarField solid(mesh_.nCells(), Zero);
     volVectorField Up
     (
@@ -146,14 +219,14 @@ bool Foam::dew::particleExchange::writeObject
         dimensionedVector(dimVelocity, Zero),
         "zeroGradient"
     );
-    List<scalar> volume(n);
+    List<scalar> mass(n);
     List<vector> flow(n);
     for (label i = 0; i < n; i++)
     {
-        volume[i] = state_.volume(i);
-        flow[i] = volume[i]*state_.v[i];
+        mass[i] = state_.mass(i);
+        flow[i] = mass[i]*state_.v[i];
     }
-    map_.scatter(volume, solid);
+    map_.scatter(mass, solid);
     map_.scatter(flow, Up.primitiveFieldRef());
     forAll(solid, celli)
     {

@@ -197,7 +197,8 @@ void Foam::dew::voidFractionField::checkSize(const particleState& state) const
             << ", alphacMin " << alphacMin_ << " leaves room for "
             << 1 - alphacMin_ << nl
             << "Use a coarser mesh, smoothing, or another voidFraction model"
-            << " (valid: divided from about one particle diameter a cell, none"
+            << " (valid: divided from about one particle diameter a cell,"
+            << " Gaussian and bigParticle also for smaller cells, none"
             << " for particles that displace nothing)"
             << exit(FatalIOError);
     }

@@ -456,3 +456,41 @@ def test_one_wedge_patch_is_refused(tmp_path):
     done = case.run('testMap')
     assert done.code != 0
     assert 'The mesh has 1 wedge patches' in done.output, done.output
+
+
+# --- Averages of the phase
+
+@pytest.mark.parametrize('phi', [0.0, 1.3, 4.0])
+def test_averages_are_those_of_the_ring(tmp_path, phi):
+    """Two spheres at an azimuth, pressed together along the radius and moving with (0.1, 0.02, 0.3) m/s in radial,
+    azimuthal and axial direction: the same fields at each; moment F r of the contact (Hertz, no damping) in the ring."""
+    d, distance = 4e-4, 3.99e-4
+    x = turned(np.array([[2e-3, 0, 1.5e-3], [2e-3 + distance, 0, 1.5e-3]]), phi)
+    v = turned(np.array([[0.1, 0.02, 0.3]]), phi)[0]
+    fields = ('alpha.particles', 'U.particles', 'granularTemperature', 'collisionalStress', 'contactNumber')
+    case = WedgeCase(tmp_path, cells=(2, 2), gravity=(0, 0, 0), deltaT=1e-7, endTime=1e-7, writeInterval=1, functions={
+        'phase': {'type': 'particleAverages', 'libs': '(dewFunctionObjects)', 'fields': fields,
+                  'writeControl': 'writeTime'}})
+    case.particles({'x': x[:, 0], 'y': x[:, 1], 'z': x[:, 2], 'd': d, 'vx': v[0], 'vy': v[1], 'vz': v[2]})
+    case.properties = {
+        'engine': 'liggghts', 'materials': {'glass': GLASS}, 'insertion': FILE, 'output': ('csv',),
+        'contacts': {**CONTACTS, 'default': {'restitution': 1.0, 'friction': 0.3}},
+        'coupling': {'voidFraction': {'type': 'particleCentre'}, 'momentum': 'none', 'forces': {}}}
+    case.mesh()
+    done = case.run('cfdDemFoam')
+    assert done.code == 0, done.output
+    text = {name: (case.path / '1e-07' / name).read_text() for name in fields}
+
+    def first(name):
+        body = re.search(r'internalField\s+nonuniform\s+List<\w+>\s*\d+\s*\(\s*\(?([^()\n]*)', text[name])[1]
+        return np.array(body.split(), dtype=float)
+
+    volume = np.pi * (R / 2)**2 * H / 2
+    rows = case.table(1e-7)
+    r = np.linalg.norm(np.diff(vectors(rows, 'x y z'), axis=0))
+    force = 4 / 3 * GLASS['youngsModulus'] / (2 * (1 - 0.3**2)) * np.sqrt(d / 4) * (d - r)**1.5
+    assert np.isclose(first('alpha.particles')[0], 2 * sphere(d) / volume, rtol=1e-10)
+    assert np.allclose(first('U.particles'), [0.1, 0.02, 0.3], rtol=1e-5)
+    assert np.allclose(first('collisionalStress'), [force * r / volume, 0, 0, 0, 0, 0], rtol=1e-5,
+                       atol=1e-5 * force * r / volume)
+    assert first('contactNumber')[0] == 1
