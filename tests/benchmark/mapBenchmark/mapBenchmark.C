@@ -95,7 +95,7 @@ int main(int argc, char *argv[])
 
     dew::particleMesh map
     (
-        mesh, dew::voidFractionModel::New(dict)->stencil()
+        mesh, dew::voidFractionModel::New(dict)->support(mesh)
     );
     map.correct(x, d);
     const std::size_t before = map.sent();

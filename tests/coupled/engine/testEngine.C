@@ -245,7 +245,7 @@ int main(int argc, char *argv[])
             << " impulse " << l.impulse << " heat " << l.heat
             << " departed " << l.departed << ' ' << l.departedMass << ' '
             << l.departedVolume << ' ' << l.departedImpulse << ' '
-            << l.departedHeat << endl;
+            << l.departedHeat << " walls " << l.wallHeat << endl;
     }
 
     Info<< "End\n" << endl;
