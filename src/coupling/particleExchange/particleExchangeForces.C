@@ -95,6 +95,7 @@ void Foam::dew::particleExchange::evaluateLaws()
 
     sizeForces();
     relaxation_ = 0;
+    ranges_.restart();
 
     for (label i = 0; i < state_.size(); i++)
     {
@@ -121,6 +122,7 @@ void Foam::dew::particleExchange::evaluateLaws()
             q.memory = p.memory + laws_.needs().memory;
             seenVelocity_.correct(q, c);
             f = laws_.total(p, c);
+            ranges_.count(p, c);
             if (heatTransfer_)
             {
                 Qp = heatTransfer_->Qp(p, c);

@@ -24,7 +24,6 @@ Foam::dew::particleExchange::velocityGradient() const
 void Foam::dew::particleExchange::gatherHere(const tensorField* gradU)
 {
     const volVectorField& U = fluid_.Uc;
-    const vectorField& gradp = fluid_.gradp;
     const vectorField& C = mesh_.C();
     const bool shared = laws_.model() == particleForceList::models::A;
     const bool thermal = bool(heatTransfer_) || needs().T;
@@ -35,6 +34,15 @@ void Foam::dew::particleExchange::gatherHere(const tensorField* gradU)
         gradT = linearGradient(*fluid_.T, map_.symmetry());
     }
 
+    // As the particles share it: what they take of the pressure the fluid loses
+    vectorField gradp;
+    if (shared)
+    {
+        gradp = fluid_.gradp.primitiveField();
+        smoothing_->average(gradp);
+    }
+    const scalarField& alphac = alphac_.field();
+
     const auto shares = [&](const auto& cells, fluidHere& c)
     {
         c.alphac = 0;
@@ -43,7 +51,7 @@ void Foam::dew::particleExchange::gatherHere(const tensorField* gradU)
         (
             [&](const label celli, const scalar w)
             {
-                c.alphac += w*alphac_[celli];
+                c.alphac += w*alphac[celli];
                 if (shared)
                 {
                     c.gradp += w*gradp[celli];
@@ -133,6 +141,7 @@ void Foam::dew::particleExchange::gatherMotion(const tensorField& gradU)
         [&](const label celli, const point&, fluidMotion& m)
         {
             m.gradU = gradU[celli];
+            m.cellVolume = mesh_.V()[celli];
             if (need.DUDt)
             {
                 m.DUDt = (*fluid_.dUdt)[celli] + (U[celli] & gradU[celli]);

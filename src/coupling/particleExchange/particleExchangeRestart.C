@@ -53,7 +53,7 @@ Foam::fileName Foam::dew::particleExchange::restartToRead
 }
 
 
-void Foam::dew::particleExchange::readKicks()
+bool Foam::dew::particleExchange::readKicks()
 {
     // Sources of a step that is over: nothing is pending but what was written
     const label n = state_.size();
@@ -87,7 +87,7 @@ void Foam::dew::particleExchange::readKicks()
                 << path << nl << "Start from an earlier time, or from the"
                 << " beginning" << exit(FatalError);
         }
-        return;
+        return false;
     }
 
     boolList known;
@@ -115,6 +115,7 @@ void Foam::dew::particleExchange::readKicks()
             heatKick_[i] = v[3];
         }
     }
+    return true;
 }
 
 
@@ -209,7 +210,7 @@ bool Foam::dew::particleExchange::writeObject
     particleRecord::write(path, state_.id, values, nKickValues);
     writeMemory();
 
-    // Averages of the particles in each cell, by volume
+    // Averages of the particles in each cell, by mass
     scalarField solid(mesh_.nCells(), Zero);
     volVectorField Up
     (
@@ -218,14 +219,14 @@ bool Foam::dew::particleExchange::writeObject
         dimensionedVector(dimVelocity, Zero),
         "zeroGradient"
     );
-    List<scalar> volume(n);
+    List<scalar> mass(n);
     List<vector> flow(n);
     for (label i = 0; i < n; i++)
     {
-        volume[i] = state_.volume(i);
-        flow[i] = volume[i]*state_.v[i];
+        mass[i] = state_.mass(i);
+        flow[i] = mass[i]*state_.v[i];
     }
-    map_.scatter(volume, solid);
+    map_.scatter(mass, solid);
     map_.scatter(flow, Up.primitiveFieldRef());
     forAll(solid, celli)
     {

@@ -26,6 +26,7 @@ def fresh(path, name):
 @pytest.mark.parametrize('name', ['demFoam/collisions', pytest.param('demFoam/packing', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
                                   'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction',
+                                  'cfdDemFoam/sphereInWater',
                                   'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):

@@ -6,6 +6,7 @@
 
 #include "particleForceList.H"
 #include "Brownian.H"
+#include "dragModel.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -47,19 +48,56 @@ Foam::dew::particleForceList::particleForceList
          || laws_[n - 1].reaction() == particleForce::reactions::sharedPressure;
 
         memoryStart_[n - 1] = needs_.memory;
+        checkBeside(n - 1, laws_[n - 1], laws.subDict(e.keyword()));
         add(laws_[n - 1], laws.subDict(e.keyword()), offered);
     }
 
-    if (model_ == models::A && n > 0 && !pressure)
+    if (n > 0)
     {
-        Info<< "WARNING: model A without pressureGradientForce in "
-            << laws.name() << ": nobody carries the particles' share of the"
-            << " pressure gradient, and they have no buoyancy" << nl << endl;
+        tellPressure(pressure, laws.name());
     }
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::particleForceList::checkBeside
+(
+    const label n,
+    const particleForce& law,
+    const dictionary& dict
+) const
+{
+    for (label i = 0; i < n; i++)
+    {
+        const particleForce& other = laws_[i];
+        const bool drags = isA<dragModel>(law) && isA<dragModel>(other);
+
+        if
+        (
+            drags || law.type() == other.type()
+         || (law.needs().surface && other.needs().surface)
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "A second " << (drags ? "drag law " : "law ") << law.type()
+                << " beside " << other.type() << ", whose forces would add: "
+                << dict.name() << nl << "Remove one of the two"
+                << exit(FatalIOError);
+        }
+    }
+
+    if (model_ == models::B && !law.inModelB())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Law " << law.type() << " does nothing in model B, where"
+            << " particles see no pressure gradient, as it is set: "
+            << dict.name() << nl
+            << "Remove it, set 'buoyancy on;' in it, or 'model A;'"
+            << exit(FatalIOError);
+    }
+}
+
 
 void Foam::dew::particleForceList::add
 (
@@ -69,18 +107,31 @@ void Foam::dew::particleForceList::add
 )
 {
     const lawNeeds needs(law.needs());
-    const bool brownian = isA<particleForces::Brownian>(law);
-
-    if ((brownian && brownian_) || (needs.surface && needs_.surface))
-    {
-        FatalIOErrorInFunction(dict)
-            << "A second law " << law.type() << ": " << dict.name() << nl
-            << "Remove one of the two" << exit(FatalIOError);
-    }
     needs.refuse(law.type(), dict, offered);
 
-    brownian_ = brownian_ || brownian;
+    brownian_ = brownian_ || isA<particleForces::Brownian>(law);
     needs_.add(needs);
+}
+
+
+void Foam::dew::particleForceList::tellPressure
+(
+    const bool pressure,
+    const fileName& where
+) const
+{
+    if (model_ == models::A && !pressure)
+    {
+        Info<< "WARNING: model A without pressureGradientForce in " << where
+            << ": nobody carries the particles' share of the"
+            << " pressure gradient, and they have no buoyancy" << nl << endl;
+    }
+    if (model_ == models::B && pressure)
+    {
+        Info<< "WARNING: model B with pressureGradientForce in " << where
+            << ": only its buoyancy acts, the pressure gradient of the flow is"
+            << " in the drag" << nl << endl;
+    }
 }
 
 

@@ -35,6 +35,17 @@ Foam::dew::particleForces::rotationalTorque::rotationalTorque
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::dew::particleForces::rotationalTorque::Rer
+(
+    const particle& p,
+    const carrier& c
+)
+{
+    return
+        c.rho*mag(0.5*c.motion.vorticity() - p.omega)*sqr(p.d)/c.mu;
+}
+
+
 Foam::dew::forceSuSp Foam::dew::particleForces::rotationalTorque::force
 (
     const particle& p,
@@ -43,12 +54,9 @@ Foam::dew::forceSuSp Foam::dew::particleForces::rotationalTorque::force
 {
     using constant::mathematical::pi;
 
-    const vector W(0.5*c.motion.vorticity() - p.omega);
-    const scalar Rer = c.rho*mag(W)*sqr(p.d)/c.mu;
-
     forceSuSp f;
     f.Tp =
         pi*c.mu*pow3(p.d)
-       *max(scalar(1), (12.9*sqrt(Rer) + 128.4)/(64*pi));
+       *max(scalar(1), (12.9*sqrt(Rer(p, c)) + 128.4)/(64*pi));
     return f;
 }

@@ -119,6 +119,7 @@ public:
     void run(long nSteps) override;
     int size() const override { return lmp_->atom->nlocal; }
     void pull(const stateView&) const override;
+    void contacts(const contactView&) override;
     std::vector<departedParticle> departed() override;
     double wallHeat() const override;
     long step() const override { return long(lmp_->update->ntimestep); }

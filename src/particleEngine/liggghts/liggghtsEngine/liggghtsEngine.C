@@ -303,3 +303,28 @@ void Foam::dew::liggghtsEngine::writeRestart
     dict.add("boxMin", engineBox_.min());
     dict.add("boxMax", engineBox_.max());
 }
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::dew::liggghtsEngine::contacts
+(
+    List<scalar>& number,
+    List<symmTensor>& moment
+) const
+{
+    number.setSize(state_.size());
+    moment.setSize(state_.size());
+
+    contactView view;
+    view.number = number.data();
+    view.moment = data(moment);
+
+    library_.call
+    (
+        "looking at the contacts",
+        [&view](liggghtsBinding& e) { e.contacts(view); }
+    );
+
+    return true;
+}

@@ -7,6 +7,7 @@
 // Rings with a polygonal section
 
 #include "sphereOverlap.H"
+#include "bitSet.H"
 #include "fvMesh.H"
 #include "mathematicalConstants.H"
 #include "wedgePolyPatch.H"
@@ -17,8 +18,8 @@ void Foam::dew::sphereOverlap::findEdges()
 {
     cellSide_.setSize(mesh_.nCells(), -1);
     faceEdge_.setSize(mesh_.nFaces(), edge(-1, -1));
-    boolList onSide(mesh_.nPoints(), false);
-    boolList sideFace(mesh_.nFaces(), false);
+    bitSet onSide(mesh_.nPoints());
+    bitSet sideFace(mesh_.nFaces());
     bool first = true;
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
@@ -28,13 +29,13 @@ void Foam::dew::sphereOverlap::findEdges()
         }
         forAll(patch, i)
         {
-            sideFace[patch.start() + i] = true;
+            sideFace.set(patch.start() + i);
             if (first)
             {
                 cellSide_[patch.faceCells()[i]] = patch.start() + i;
                 for (const label pointi : patch[i])
                 {
-                    onSide[pointi] = true;
+                    onSide.set(pointi);
                 }
             }
         }
@@ -44,14 +45,14 @@ void Foam::dew::sphereOverlap::findEdges()
     bool thick = cellSide_.found(-1);
     forAll(faceEdge_, facei)
     {
-        if (sideFace[facei])
+        if (sideFace.test(facei))
         {
             continue;
         }
         label n = 0;
         for (const label pointi : mesh_.faces()[facei])
         {
-            if (onSide[pointi])
+            if (onSide.test(pointi))
             {
                 if (n < 2)
                 {
