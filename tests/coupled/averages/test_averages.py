@@ -90,7 +90,8 @@ def cloud(path, ranks=1, n_steps=1, average=None, fields=ALL, seed=3, **control)
     x = (np.array(list(np.ndindex(8, 8, 8))) + 0.5) * 5e-4 + rng.uniform(-4e-6, 4e-6, (512, 3))
     v = rng.uniform(-0.1, 0.1, x.shape)
     write_floor(path, L)
-    return build(path, columns(x, d=rng.uniform(4.95e-4, 5.02e-4, len(x)), vx=v[:, 0], vy=v[:, 1], vz=v[:, 2]), fields,
+    return build(path, columns(x, d=rng.uniform(4.95e-4, 5.02e-4, len(x)), vx=v[:, 0], vy=v[:, 1], vz=v[:, 2],
+                                  T=300), fields,
                  'divided', cyclic='xy', cells=(4, 4, 4), average=average, ranks=ranks, gravity=(0, 0, -9.81),
                  walls={'floor': {'type': 'STL', 'file': quoted('constant/floor.stl'), 'material': 'glass'},
                         'lid': {'type': 'patch', 'patches': '(zMax)', 'material': 'glass'}},
@@ -127,12 +128,17 @@ def pairs(rows):
     return (close.sum() - len(rows)) // 2
 
 
-def test_looking_changes_nothing(tmp_path):
+@pytest.mark.parametrize('more', [{}, {'lubrication': {'viscosity': 1e-3, 'minGap': 1e-8, 'maxGap': 2e-5}}],
+                         ids=['contacts', 'lubrication'])
+def test_looking_changes_nothing(tmp_path, more):
     """A run that asks for contacts at every sub-step ends with the same bytes of restart as one that does not, also
-    with friction, walls of both kinds and heat."""
+    with friction, walls of both kinds, heat, and laws of our own that look at contacts."""
     digests = []
     for name, fields in (('without', ('alpha.particles',)), ('with', ALL)):
-        case = cloud(tmp_path / name, n_steps=30, fields=fields, writeInterval=30)
+        case = cloud(tmp_path / name, n_steps=30, fields=fields, writeInterval=30, heat=True)
+        case.properties.update(more)
+        case.properties['walls']['floor']['T'] = 350
+        case.write_dict('constant/particleProperties', case.properties)
         run(case)
         digests.append({k: v for k, v in case.digests().items() if 'uniform/particles/liggghts' in k or 'csv' in k})
     assert len(digests[0]) >= 2 and digests[0] == digests[1]
