@@ -226,6 +226,10 @@ const Foam::dew::bulkForces& Foam::dew::particleExchange::forces()
         {
             gatherSurfaces();
         }
+        if (needs().spread)
+        {
+            gatherSpread();
+        }
         if (needs().motion())
         {
             gatherMotion(gradU());

@@ -49,9 +49,22 @@ void Foam::dew::seenVelocityModels::undisturbed::correct
     carrier& c
 ) const
 {
-    const scalar h = width_ > 0 ? width_ : cbrt(c.motion.cellVolume);
-    const scalar a = 0.315*h;
+    const scalar h = width_ > 0 ? width_ : cbrt(c.spread);
     const scalar Re = c.rho*mag(c.U - p.U)*h/c.mu;
 
-    c.U += p.F/(6*constant::mathematical::pi*c.mu*a*(1 + Re/3));
+    // Velocity over force, and the time it takes
+    const scalar mobility =
+        1/(6*constant::mathematical::pi*c.mu*0.315*h*(1 + Re/3));
+    const scalar tau = mobility*c.rho*pow3(h);
+
+    scalar* m = p.memory;
+    vector u(m[velocity], m[velocity + 1], m[velocity + 2]);
+    u += (1 - exp(-m[step]/tau))*(-mobility*p.F - u);
+
+    m[velocity] = u.x();
+    m[velocity + 1] = u.y();
+    m[velocity + 2] = u.z();
+    m[step] = c.deltaT;
+
+    c.U -= u;
 }
