@@ -141,6 +141,7 @@ void Foam::dew::particleExchange::gatherMotion(const tensorField& gradU)
         [&](const label celli, const point&, fluidMotion& m)
         {
             m.gradU = gradU[celli];
+            m.cellVolume = mesh_.V()[celli];
             if (need.DUDt)
             {
                 m.DUDt = (*fluid_.dUdt)[celli] + (U[celli] & gradU[celli]);
