@@ -17,7 +17,7 @@ DIMENSIONS = {'U': '[0 1 -1 0 0 0 0]', 'p': '[0 2 -2 0 0 0 0]', 'T': '[0 0 0 1 0
 
 # Columns of postProcessing/exchange/<start>/ledger.dat
 LEDGER = ['time', 'held', 'represented', 'clipped', 'outside', 'rx', 'ry', 'rz', 'lx', 'ly', 'lz', 'scale',
-          'heatReceived', 'heatLost', 'heatScale']
+          'heatReceived', 'heatLost', 'heatScale', 'lagging']
 
 
 def read_field(path):

@@ -23,8 +23,10 @@ namespace
 // In the order of the columns of forces.csv
 const char* const dragLaws[] =
 {
-    "Stokes", "SchillerNaumann", "DiFelice", "WenYu", "Ergun", "Gidaspow"
+    "Stokes", "SchillerNaumann", "DiFelice", "WenYu", "Ergun", "Gidaspow",
+    "KochHill", "Beetstra", "Tenneti", "Darcy", "Dallavalle", "HaiderLevenspiel"
 };
+const int nLaws = 12;
 
 // A few units in the last place of each of some ten operations
 const double roundOff = 1e-14;
@@ -109,7 +111,7 @@ double terminalVelocity
 
 TEST(forces, dragAgainstPapers)
 {
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < nLaws; ++i)
     {
         const autoPtr<particleForce> force(law(dragLaws[i]));
 
@@ -121,9 +123,11 @@ TEST(forces, dragAgainstPapers)
             const double eps = row[0], d = row[1], rho = row[2], mu = row[3];
             const double slip = row[4];
 
+            // Equal to zero where that is the limit
             EXPECT_NEAR
             (
-                Sp(*force, d, slip, rho, mu, eps)*slip/row[5 + i], 1, roundOff
+                Sp(*force, d, slip, rho, mu, eps)*slip, row[5 + i],
+                roundOff*row[5 + i]
             )   << dragLaws[i] << " eps " << eps << " slip " << slip;
         }
     }
@@ -133,6 +137,10 @@ TEST(forces, dragAgainstPapers)
 TEST(forces, slipOfRarefiedGas)
 {
     const autoPtr<particleForce> slip(law("Stokes; meanFreePath 6.6e-8"));
+    const autoPtr<particleForce> same
+    (
+        law("StokesCunningham; meanFreePath 6.6e-8")
+    );
     const autoPtr<particleForce> none(law("Stokes; meanFreePath 0"));
 
     for (const auto& row : readTable("slip.csv"))
@@ -143,6 +151,11 @@ TEST(forces, slipOfRarefiedGas)
         (
             without/Sp(*slip, row[0], 1e-3, 1.2, 1.8e-5, 1)/row[2], 1, roundOff
         )   << "d " << row[0];
+        EXPECT_EQ
+        (
+            Sp(*slip, row[0], 1e-3, 1.2, 1.8e-5, 1),
+            Sp(*same, row[0], 1e-3, 1.2, 1.8e-5, 1)
+        );
     }
 }
 
@@ -155,7 +168,8 @@ TEST(forces, creepingFlow)
     const std::pair<const char*, double> limits[] =
     {
         {"Stokes", 1}, {"SchillerNaumann", 1}, {"WenYu", 1}, {"Gidaspow", 1},
-        {"DiFelice", 0.96}
+        {"DiFelice", 0.96}, {"KochHill", 1}, {"Beetstra", 1}, {"Tenneti", 1},
+        {"Dallavalle", 0.96}, {"HaiderLevenspiel", 1}
     };
 
     for (const auto& [name, limit] : limits)
@@ -178,15 +192,28 @@ TEST(forces, atRest)
     {
         const double WenYu = std::pow(eps, -2.65);
         const double Ergun = 150.0/18*(1 - eps)/eps;
+        const double phi = 1 - eps;
+        const double KochHill =
+            phi >= 0.4 ? 10*phi/(eps*eps*eps)
+          : phi > 0
+          ? (
+                1 + 3*std::sqrt(phi/2) + 135.0/64*phi*std::log(phi)
+              + 16.14*phi
+            )
+           /(1 + 0.681*phi - 8.48*phi*phi + 8.16*phi*phi*phi)
+          : 1;
 
         // Over Stokes' drag, in the order of dragLaws
         const double limits[] =
         {
             1, 1, 4.8*4.8/24*std::pow(eps, -2.7), WenYu, Ergun,
-            eps < 0.8 ? Ergun : WenYu
+            eps < 0.8 ? Ergun : WenYu, eps*eps*KochHill,
+            10*phi/eps + eps*eps*eps*(1 + 1.5*std::sqrt(phi)),
+            (1 + 5.81*phi)/eps + 0.48*std::cbrt(phi)/(eps*eps),
+            10*phi/eps, 4.8*4.8/24, 1
         };
 
-        for (int i = 0; i < 6; ++i)
+        for (int i = 0; i < nLaws; ++i)
         {
             const autoPtr<particleForce> force(law(dragLaws[i]));
 
@@ -256,6 +283,70 @@ TEST(forces, pressureDropOfBed)
 }
 
 
+// Cd of a single sphere, five digits, computed apart
+TEST(forces, HaiderLevenspielCurve)
+{
+    const std::pair<double, double> curve[] =
+    {
+        {0.01, 2422.1}, {0.1, 249.80}, {1, 28.334}, {10, 4.3185},
+        {100, 1.0947}, {1e3, 0.45346}, {1e4, 0.42038}, {1e5, 0.47150}
+    };
+    const autoPtr<particleForce> force(law("HaiderLevenspiel"));
+
+    // Of unit density and viscosity and d 1: slip is Re, F = Cd pi/8 Re^2
+    for (const auto& [Re, Cd] : curve)
+    {
+        const double F = Sp(*force, 1, Re, 1, 1, 0.7)*Re;
+        EXPECT_NEAR(F*8/3.14159265358979324/(Re*Re)/Cd, 1, 5e-5) << Re;
+    }
+}
+
+
+// Before and after solid fraction 0.4 at rest, by hand: F0 18.33 and 18.52
+TEST(forces, KochHillJump)
+{
+    const double stokes = 3*3.14159265358979324*1e-3*1e-4;
+    const autoPtr<particleForce> force(law("KochHill"));
+
+    for (const auto& [eps, F0] : {std::pair(0.600001, 18.33), {0.6, 18.52}})
+    {
+        EXPECT_NEAR
+        (
+            Sp(*force, 1e-4, 0, 1000, 1e-3, eps)/stokes/(eps*eps), F0, 0.005
+        );
+    }
+}
+
+
+// Carman's pressure gradient, 180 mu (1 - eps)^2 U/(d^2 eps^3), of Darcy, and of
+// KochHill where dense; Tenneti's and Beetstra's fits are within 10 % of it
+TEST(forces, denseCreepingFlow)
+{
+    const double d = 1e-4, mu = 1e-3, u = 1e-9;
+    const std::pair<const char*, double> laws[] =
+    {
+        {"Darcy", 1e-12}, {"KochHill", 1e-6}, {"Beetstra", 0.1}, {"Tenneti", 0.1}
+    };
+
+    for (const auto& [name, tolerance] : laws)
+    {
+        for (const double eps : {0.5, 0.6})
+        {
+            const double n = (1 - eps)/sphere(d).volume();
+            const double gradient =
+                180*mu*(1 - eps)*(1 - eps)*eps*u/(d*d*eps*eps*eps);
+
+            // The drag of model A is eps times the gradient
+            EXPECT_NEAR
+            (
+                n*Sp(*law(name), d, u, 1000, mu, eps)*u/(eps*gradient), 1,
+                tolerance
+            )   << name << " eps " << eps;
+        }
+    }
+}
+
+
 // A body loses the weight of the fluid it displaces
 TEST(forces, Archimedes)
 {
@@ -307,6 +398,8 @@ TEST(forces, refused)
     }
     EXPECT_ANY_THROW(law("Stokes; meanFreePath -1e-8"));
     EXPECT_ANY_THROW(law("Stokes; meanFreePath [0 0 1 0 0 0 0] 1e-8"));
+    EXPECT_ANY_THROW(law("StokesCunningham"));
+    EXPECT_ANY_THROW(law("StokesCunningham; meanFreePath 0"));
     EXPECT_ANY_THROW(law("pressureGradientForce; colour red"));
     EXPECT_ANY_THROW(law("pressureGradientForce; buoyancy heavy"));
     EXPECT_ANY_THROW(law("StokesDrag"));

@@ -32,6 +32,8 @@ TEST(heatTransfer, NusseltAgainstPapers)
 {
     const autoPtr<heatTransferModel> RanzMarshall(law("RanzMarshall"));
     const autoPtr<heatTransferModel> LiMason(law("LiMason"));
+    const autoPtr<heatTransferModel> Gunn(law("Gunn"));
+    const autoPtr<heatTransferModel> AcrivosTaylor(law("AcrivosTaylor"));
 
     for (const auto& row : readTable("heatTransfer.csv"))
     {
@@ -42,12 +44,26 @@ TEST(heatTransfer, NusseltAgainstPapers)
             << "Re " << Re << " Pr " << Pr;
         EXPECT_NEAR(LiMason->Nu(Re, Pr, eps)/row[4], 1, 5e-15)
             << "Re " << Re << " Pr " << Pr << " eps " << eps;
+        EXPECT_NEAR(Gunn->Nu(Re, Pr, eps)/row[5], 1, 5e-15)
+            << "Re " << Re << " Pr " << Pr << " eps " << eps;
+        EXPECT_NEAR(AcrivosTaylor->Nu(Re, Pr, eps)/row[6], 1, 5e-15)
+            << "Re " << Re << " Pr " << Pr;
     }
 }
 
 
 TEST(heatTransfer, publishedNumbers)
 {
+    // Computed with Pr^0.33: 5.334 of it
+    EXPECT_NEAR
+    (
+        2 + (law("RanzMarshall")->Nu(100, 0.7, 1) - 2)
+       *std::pow(0.7, 0.33 - 1.0/3), 7.334, 0.0005
+    );
+    EXPECT_NEAR(law("AcrivosTaylor")->Nu(0.01, 1, 0.5), 2.00489, 5e-6);
+    EXPECT_NEAR(law("AcrivosTaylor")->Nu(0.2, 0.5, 1), 2.04444, 5e-6);
+    EXPECT_NEAR(law("AcrivosTaylor")->Nu(0.05, 10, 1), 2.20977, 5e-6);
+
     EXPECT_NEAR(law("RanzMarshall")->Nu(1384, 0.7165, 1), 21.97, 0.005);
 
     // 2.815 was computed with Pr^0.33; its digits, and those of Re, Pr and
@@ -106,6 +122,12 @@ TEST(heatTransfer, Qp)
         )   << name;
     }
 
+    std::feclearexcept(FE_ALL_EXCEPT);
+    EXPECT_NEAR(law("AcrivosTaylor")->Qp(p, c)/3.14159265358979e-4, 1, 1e-14);
+    // 7 - 5 + 1.25 in the place of 2
+    EXPECT_NEAR(law("Gunn")->Qp(p, c)/3.14159265358979e-4, 1.625, 1e-14);
+    EXPECT_FALSE(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW));
+
     // Slip 0.75 m/s: Re 100, Pr 0.72, the void fraction not in Re
     c.U = vector(1, 0.75, 0);
     EXPECT_NEAR
@@ -121,5 +143,7 @@ TEST(heatTransfer, refused)
     EXPECT_ANY_THROW(law("RanzMarshall; n 3.5"));
     EXPECT_ANY_THROW(law("LiMason; m 3.5"));
     EXPECT_ANY_THROW(law("LiMason; n -1"));
+    EXPECT_ANY_THROW(law("Gunn; n 3.5"));
+    EXPECT_ANY_THROW(law("AcrivosTaylor; n 3.5"));
     EXPECT_ANY_THROW(law("Gunnn"));
 }

@@ -13,11 +13,13 @@ Foam::dew::fluidSource<Type>::fluidSource
 (
     const word& name,
     const particleMesh& map,
+    const smoothing& smoothing,
     const fieldType& phi,
     const dimensionSet& dims
 )
 :
     map_(map),
+    smoothing_(smoothing),
     phi_(phi),
     phi0_(phi.primitiveField()),
     F_
@@ -86,6 +88,9 @@ void Foam::dew::fluidSource<Type>::correct
         }
     );
 
+    smoothing_.spread(F);
+    smoothing_.spread(Sp);
+
     const scalarField& V = phi_.mesh().V();
     forAll(F, celli)
     {
@@ -105,7 +110,8 @@ void Foam::dew::fluidSource<Type>::kicks
     DynamicList<Type>& kick
 ) const
 {
-    const Field<Type> change(phi_.primitiveField() - phi0_);
+    Field<Type> change(phi_.primitiveField() - phi0_);
+    smoothing_.average(change);
 
     kick.setSize(sensitivity.size());
     UList<Type>& values = kick;

@@ -22,11 +22,12 @@ Foam::dew::heatExchange::heatExchange
 (
     const dictionary& dict,
     const particleMesh& map,
+    const smoothing& smoothing,
     const volScalarField& T
 )
 :
     scheme_(schemeNames.getOrDefault("heat", dict, schemes::semiImplicit)),
-    source_("heat", map, T, dimEnergy)
+    source_("heat", map, smoothing, T, dimEnergy)
 {}
 
 

@@ -23,6 +23,7 @@ Foam::dew::momentumExchange::momentumExchange
 (
     const dictionary& dict,
     const particleMesh& map,
+    const smoothing& smoothing,
     const volVectorField& U
 )
 :
@@ -30,8 +31,10 @@ Foam::dew::momentumExchange::momentumExchange
     (
         schemeNames.getOrDefault("momentum", dict, schemes::semiImplicit)
     ),
+    map_(map),
+    smoothing_(smoothing),
     U_(U),
-    source_("momentum", map, U, dimForce*dimTime)
+    source_("momentum", map, smoothing, U, dimForce*dimTime)
 {}
 
 
@@ -39,7 +42,6 @@ Foam::dew::momentumExchange::momentumExchange
 
 void Foam::dew::momentumExchange::checkExplicit
 (
-    const particleMesh& map,
     const UList<scalar>& sensitivity,
     const volScalarField& alphac,
     const volScalarField& rho
@@ -47,7 +49,8 @@ void Foam::dew::momentumExchange::checkExplicit
 {
     const fvMesh& mesh = U_.mesh();
     scalarField sum(mesh.nCells(), Zero);
-    map.scatter(sensitivity, sum);
+    map_.scatter(sensitivity, sum);
+    smoothing_.spread(sum);
 
     scalar worst = 0;
     label cell = -1;
@@ -83,7 +86,6 @@ void Foam::dew::momentumExchange::checkExplicit
 
 void Foam::dew::momentumExchange::correct
 (
-    const particleMesh& map,
     const UList<vector>& impulse,
     const UList<scalar>& impulseSp,
     const volScalarField& alphac,
@@ -113,6 +115,6 @@ void Foam::dew::momentumExchange::correct
 
     if (scheme_ == schemes::explicitScheme)
     {
-        checkExplicit(map, impulseSp, alphac, rho);
+        checkExplicit(impulseSp, alphac, rho);
     }
 }

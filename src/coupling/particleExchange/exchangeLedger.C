@@ -88,6 +88,12 @@ void Foam::dew::exchangeLedger::print() const
             << clippedAt << ", alphac " << digits(clippedAlphac).c_str()
             << endl;
     }
+    if (delayed)
+    {
+        Info<< "    lagging, not yet in alphac: " << digits(lagging).c_str()
+            << " m3 of particles (" << relative(lagging, held).c_str()
+            << " of all)" << endl;
+    }
     if (outside)
     {
         Info<< "    outside the mesh, without fluid: " << outside
@@ -118,7 +124,7 @@ void Foam::dew::exchangeLedger::write()
                  : "received.x received.y received.z lost.x lost.y lost.z"
                )
             << " scale"
-            << " heatReceived heatLost heatScale" << endl;
+            << " heatReceived heatLost heatScale lagging" << endl;
     }
     if (file_)
     {
@@ -128,7 +134,7 @@ void Foam::dew::exchangeLedger::write()
             << received.x() << ' ' << received.y() << ' ' << received.z()
             << ' ' << lost.x() << ' ' << lost.y() << ' ' << lost.z() << ' '
             << scale << ' ' << heatReceived << ' ' << heatLost << ' '
-            << heatScale << nl;
+            << heatScale << ' ' << lagging << nl;
         os.flush();
     }
 }

@@ -5,10 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleExchange.H"
-#include "inletOutletFvPatchFields.H"
 #include "Time.H"
 #include "userEntry.H"
-#include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -48,12 +46,6 @@ Foam::dew::particleExchange::particleExchange
     fluid_(fluid),
     state_(state),
     g_(g),
-    alphacMin_
-    (
-        dict_.found("alphacMin")
-      ? userEntry::within(dict_, "alphacMin", 1e-6, 1)
-      : 0.2
-    ),
     linear_
     (
         Enum<bool>({{true, "linear"}, {false, "cell"}}).getOrDefault
@@ -66,25 +58,13 @@ Foam::dew::particleExchange::particleExchange
     (
         voidFractionModel::New(userEntry::subDict(dict_, "voidFraction"))
     ),
-    laws_
-    (
-        dict_, fluid.T,
-        fluid.psi && fluid.n && fluid.surfaceSpeed && fluid.curvature
-    ),
-    map_(mesh, voidFraction_->stencil()),
-    alphac_
-    (
-        IOobject
-        (
-            "alphac",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::AUTO_WRITE
-        ),
-        voidFractionField(mesh)
-    ),
-    momentum_(dict_, map_, fluid.U),
+    laws_(dict_, fluid.offered()),
+    seenVelocity_(dict_, fluid.offered()),
+    needs_(laws_.needs()),
+    map_(mesh, voidFraction_->support(mesh)),
+    smoothing_(smoothing::New(dict_, mesh)),
+    alphac_(dict_, voidFraction_(), smoothing_(), map_, mesh),
+    momentum_(dict_, map_, smoothing_(), fluid.U),
     kicked_(false),
     ledger_(mesh.time(), map_.symmetry().wedge()),
     relaxation_(0),
@@ -95,10 +75,14 @@ Foam::dew::particleExchange::particleExchange
     (
         dict_,
         {
-            "model", "voidFraction", "alphacMin", "interpolation",
-            "carrierVelocity", "momentum", "heat", "forces", "heatTransfer"
+            "model", "voidFraction", "alphacMin", "alphacTime", "smoothing",
+            "interpolation", "carrierVelocity", "seenVelocity", "momentum",
+            "heat", "forces",
+            "heatTransfer"
         }
     );
+
+    needs_.add(seenVelocity_.needs());
 
     if (particleProperties.found("frameAcceleration"))
     {
@@ -134,9 +118,21 @@ Foam::dew::particleExchange::particleExchange
         }
         heatTransfer_ =
             heatTransferModel::New(userEntry::subDict(dict_, "heatTransfer"));
-        heat_.reset(new heatExchange(dict_, map_, *fluid_.T));
+        heat_.reset
+        (
+            new heatExchange(dict_, map_, smoothing_(), *fluid_.T)
+        );
     }
     ledger_.thermal = bool(heat_);
+
+    for (const particleForce& law : laws_.laws())
+    {
+        ranges_.add(law.type(), law.ranges());
+    }
+    if (heatTransfer_)
+    {
+        ranges_.add(heatTransfer_->type(), heatTransfer_->ranges());
+    }
 
     if
     (
@@ -152,6 +148,15 @@ Foam::dew::particleExchange::particleExchange
             << " type inertial" << exit(FatalIOError);
     }
 
+    if (state_.overdamped && laws_.needs().addedMass)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "A law in 'forces' has an added mass, but particles in overdamped"
+            << " dynamics have no inertia" << nl
+            << "Remove virtualMass and history, or set dynamics of type inertial"
+            << exit(FatalIOError);
+    }
+
     if (!carrierVelocity_ && twoWay())
     {
         FatalIOErrorInFunction(dict_)
@@ -162,164 +167,20 @@ Foam::dew::particleExchange::particleExchange
     }
 
     findMap();
-    checkSize();
-    occupy();
-    alphac_.oldTime();
-    readKicks();
+    alphac_.start(state_, readKicks(), ledger_);
+    readMemory();
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::tmp<Foam::volScalarField>
-Foam::dew::particleExchange::voidFractionField(const fvMesh& mesh)
-{
-    IOobject io
-    (
-        "alphac",
-        mesh.time().timeName(),
-        mesh,
-        IOobject::READ_IF_PRESENT,
-        IOobject::NO_WRITE,
-        false
-    );
-
-    if (io.typeHeaderOk<volScalarField>(true))
-    {
-        return tmp<volScalarField>::New(io, mesh);
-    }
-
-    wordList types(mesh.boundary().size(), "zeroGradient");
-    forAll(types, patchi)
-    {
-        const polyPatch& patch = mesh.boundaryMesh()[patchi];
-        if (polyPatch::constraintType(patch.type()))
-        {
-            types[patchi] = patch.type();
-        }
-        else if (!isA<wallPolyPatch>(patch))
-        {
-            types[patchi] = inletOutletFvPatchScalarField::typeName;
-        }
-    }
-
-    tmp<volScalarField> talphac
-    (
-        new volScalarField(io, mesh, dimensionedScalar("one", dimless, 1), types)
-    );
-
-    // There are no particles beyond an inlet
-    for (fvPatchScalarField& patch : talphac.ref().boundaryFieldRef())
-    {
-        if (isA<inletOutletFvPatchScalarField>(patch))
-        {
-            refCast<inletOutletFvPatchScalarField>(patch).refValue() = 1;
-        }
-    }
-
-    return talphac;
-}
-
-
 void Foam::dew::particleExchange::findMap()
 {
     const clockTime clock;
     map_.correct(state_.x, state_.d);
+    smoothing_->correct(state_.d);
     ledger_.outside = map_.nOutside();
     mapTime_ += clock.elapsedTime();
-}
-
-
-Foam::scalar Foam::dew::particleExchange::largestOccupation
-(
-    label& celli
-) const
-{
-    List<scalar> volume(state_.size());
-    forAll(volume, i)
-    {
-        volume[i] = state_.volume(i);
-    }
-    return map_.largestShare(volume, mesh_.V(), celli);
-}
-
-
-void Foam::dew::particleExchange::checkSize() const
-{
-    if (!voidFraction_->displaces())
-    {
-        return;
-    }
-
-    label cell = -1;
-    const scalar share = largestOccupation(cell);
-
-    if (share > 1 - alphacMin_)
-    {
-        // On this rank only: no collective call on the way out
-        FatalIOErrorInFunction(dict_)
-            << "Particles do not fit the void fraction model '"
-            << voidFraction_->type() << "': one of them fills " << share
-            << " of cell " << cell << " at " << mesh_.cellCentres()[cell]
-            << ", alphacMin " << alphacMin_ << " leaves room for "
-            << 1 - alphacMin_ << nl
-            << "Use a coarser mesh, or another voidFraction model (valid: "
-            << "divided from about one particle diameter a cell, none for"
-            << " particles that displace nothing)"
-            << exit(FatalIOError);
-    }
-}
-
-
-void Foam::dew::particleExchange::occupy()
-{
-    scalarField solid(mesh_.nCells(), Zero);
-    scalar held = 0;
-
-    {
-        List<scalar> volume(state_.size());
-        forAll(volume, i)
-        {
-            volume[i] = state_.volume(i);
-            held += volume[i];
-        }
-        if (voidFraction_->displaces())
-        {
-            map_.scatter(volume, solid);
-        }
-    }
-
-    scalarField& alphac = alphac_.primitiveFieldRef();
-    const scalarField& V = mesh_.V();
-    scalar represented = 0, clipped = 0, most = 0;
-
-    ledger_.clippedCell = -1;
-    forAll(alphac, celli)
-    {
-        alphac[celli] = 1 - solid[celli]/V[celli];
-
-        if (alphac[celli] < alphacMin_)
-        {
-            const scalar refused = (alphacMin_ - alphac[celli])*V[celli];
-            clipped += refused;
-            if (refused > most)
-            {
-                most = refused;
-                ledger_.clippedCell = celli;
-                ledger_.clippedAt = mesh_.cellCentres()[celli];
-                ledger_.clippedAlphac = alphac[celli];
-            }
-            alphac[celli] = alphacMin_;
-        }
-        represented += (1 - alphac[celli])*V[celli];
-    }
-    alphac_.correctBoundaryConditions();
-
-    ledger_.held = returnReduce(held, sumOp<scalar>());
-    const scalar ring = map_.symmetry().ringFactor();
-    ledger_.represented = ring*returnReduce(represented, sumOp<scalar>());
-    ledger_.clipped = ring*returnReduce(clipped, sumOp<scalar>());
-    ledger_.mostClipped(most);
 }
 
 
@@ -348,6 +209,7 @@ void Foam::dew::particleExchange::update()
             << "The mesh changed before the balance of the step was made"
             << abort(FatalError);
     }
+    smoothing_->update();
     findMap();
 }
 
@@ -357,7 +219,22 @@ const Foam::dew::bulkForces& Foam::dew::particleExchange::forces()
     const clockTime clock;
 
     checkFinite();
-    gatherCarriers();
+    {
+        const tmp<tensorField> gradU(velocityGradient());
+        gatherHere(gradU.valid() ? &gradU() : nullptr);
+        if (needs().surface)
+        {
+            gatherSurfaces();
+        }
+        if (needs().spread)
+        {
+            gatherSpread();
+        }
+        if (needs().motion())
+        {
+            gatherMotion(gradU());
+        }
+    }
     evaluateLaws();
 
     updateKicks();
@@ -379,18 +256,32 @@ void Foam::dew::particleExchange::correct()
 
     const clockTime clock;
 
-    occupy();
+    alphac_.correct(state_, ledger_);
     momentum_.correct
     (
-        map_, state_.impulse, state_.impulseSp, alphac_, fluid_.rho
+        state_.impulse, state_.impulseSp, alphac_.field(), fluid_.rho
     );
     if (heat_)
     {
         heat_->correct(state_.heat, state_.heatSp);
     }
+    keepLastForce();
     kicked_ = false;
 
     exchangeTime_ += clock.elapsedTime();
+}
+
+
+void Foam::dew::particleExchange::keepLastForce()
+{
+    lastForce_.setSize(needs().lastForce ? state_.size() : 0);
+    // A fluid that does not feel it is not disturbed
+    const scalar perStep = twoWay()/mesh_.time().deltaTValue();
+
+    forAll(lastForce_, i)
+    {
+        lastForce_[i] = perStep*state_.impulse[i];
+    }
 }
 
 
@@ -413,7 +304,7 @@ Foam::dew::particleExchange::pressureShare
             if (!patch.patch().coupled())
             {
                 patch ==
-                    alphac_.boundaryField()[patch.patch().index()]
+                    alphac().boundaryField()[patch.patch().index()]
                    .patchInternalField();
             }
         }
@@ -472,6 +363,10 @@ void Foam::dew::particleExchange::report()
 
     ledger_.print();
     ledger_.write();
+    if (mesh_.time().writeTime())
+    {
+        ranges_.print();
+    }
 
     exchangeTime_ += clock.elapsedTime();
 }

@@ -4,10 +4,9 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-// What the particles see of the fluid, and the laws
+// The laws on each particle
 
 #include "particleExchange.H"
-#include "linearGradient.H"
 #include "Time.H"
 
 #include <cmath>
@@ -53,13 +52,40 @@ void findNotFinite
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dew::particleExchange::gatherCarriers()
+void Foam::dew::particleExchange::sizeForces()
 {
-    const volVectorField& U = fluid_.Uc;
-    const vectorField& gradp = fluid_.gradp;
-    const vectorField& C = mesh_.C();
-    const bool shared = laws_.model() == particleForceList::models::A;
-    const bool thermal = bool(heatTransfer_) || laws_.needsTemperature();
+    const label n = state_.size();
+    const lawNeeds& need = needs();
+
+    forces_.Su.setSize(n);
+    forces_.Sn.setSize(n);
+    forces_.Sp.setSize(n);
+    forces_.U.setSize(n);
+    forces_.Qp.setSize(heatTransfer_ ? n : 0);
+    forces_.Tf.setSize(heatTransfer_ ? n : 0);
+    forces_.kT.setSize(laws_.brownian() ? n : 0);
+
+    forces_.Tu.setSize(need.torque ? n : 0);
+    forces_.Tp.setSize(need.torque ? n : 0);
+    forces_.Omega.setSize(need.torque ? n : 0);
+    forces_.addedMass.setSize(need.addedMass ? n : 0);
+
+    const label nSurface = need.surface ? n : 0;
+    forces_.surfaceX.setSize(nSurface);
+    forces_.surfaceN.setSize(nSurface);
+    forces_.surfaceSpeed.setSize(nSurface);
+    forces_.surfaceCurvature.setSize(nSurface);
+    forces_.surfaceK.setSize(nSurface);
+
+    forces_.nMemory = need.memory;
+    forces_.memory = memory();
+}
+
+
+void Foam::dew::particleExchange::evaluateLaws()
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    const lawNeeds& need = needs();
 
     vector g(g_);
     if (frameAcceleration_)
@@ -67,139 +93,24 @@ void Foam::dew::particleExchange::gatherCarriers()
         g -= frameAcceleration_->value(mesh_.time().value());
     }
 
-    const meshSymmetry& symmetry = map_.symmetry();
-
-    tmp<tensorField> gradU;
-    tmp<vectorField> gradT;
-    if (linear_ && carrierVelocity_)
-    {
-        gradU = linearGradient(U, symmetry);
-    }
-    if (linear_ && thermal)
-    {
-        gradT = linearGradient(*fluid_.T, symmetry);
-    }
-
-    const auto shares = [&](const auto& cells, carrier& c)
-    {
-        c.alphac = 0;
-        c.gradp = Zero;
-        cells
-        (
-            [&](const label celli, const scalar w)
-            {
-                c.alphac += w*alphac_[celli];
-                if (shared)
-                {
-                    c.gradp += w*gradp[celli];
-                }
-            }
-        );
-    };
-
-    carriers_.setSize(state_.size());
-    UList<carrier>& carriers = carriers_;
-    carriers = carrier();
-
-    map_.gather
-    (
-        carriers,
-        [&](const label celli, const point& x, const auto& cells, carrier& c)
-        {
-            c.U = carrierVelocity_ ? U[celli] : vector::zero;
-            c.rho = fluid_.rho[celli];
-            c.mu = fluid_.mu[celli];
-            c.g = g;
-            if (thermal)
-            {
-                c.T = (*fluid_.T)[celli];
-            }
-            if (heatTransfer_)
-            {
-                c.kappa = (*fluid_.kappa)[celli];
-                c.Cp = (*fluid_.Cp)[celli];
-            }
-            if (laws_.needsSurface())
-            {
-                liquidSurface& s = c.surface;
-                s.n = (*fluid_.n)[celli];
-                s.X = C[celli] + (*fluid_.psi)[celli]*s.n;
-                s.speed = (*fluid_.surfaceSpeed)[celli];
-                s.curvature = (*fluid_.curvature)[celli];
-            }
-            if (linear_)
-            {
-                const vector away(x - C[celli]);
-                if (carrierVelocity_)
-                {
-                    c.U += away & gradU()[celli];
-                }
-                if (thermal)
-                {
-                    c.T += away & gradT()[celli];
-                }
-            }
-            shares(cells, c);
-        },
-        shares,
-        [](carrier& c, const carrier& other)
-        {
-            c.alphac += other.alphac;
-            c.gradp += other.gradp;
-        }
-    );
-
-    for (label i = 0; symmetry.wedge() && i < carriers.size(); i++)
-    {
-        toSpace(carriers[i], i);
-    }
-}
-
-
-void Foam::dew::particleExchange::toSpace(carrier& c, const label i) const
-{
-    c.U = map_.toSpace(c.U, i);
-    c.gradp = map_.toSpace(c.gradp, i);
-    c.surface.X = map_.symmetry().unfold(c.surface.X, state_.x[i]);
-    c.surface.n = map_.toSpace(c.surface.n, i);
-}
-
-
-void Foam::dew::particleExchange::evaluateLaws()
-{
-    const label n = state_.size();
-    const scalar dt = mesh_.time().deltaTValue();
-
-    forces_.Su.setSize(n);
-    forces_.Sn.setSize(n);
-    forces_.Sp.setSize(n);
-    forces_.U.setSize(n);
-    if (heatTransfer_)
-    {
-        forces_.Qp.setSize(n);
-        forces_.Tf.setSize(n);
-    }
-    forces_.kT.setSize(laws_.brownian() ? n : 0);
-    if (laws_.needsSurface())
-    {
-        forces_.surfaceX.setSize(n);
-        forces_.surfaceN.setSize(n);
-        forces_.surfaceSpeed.setSize(n);
-        forces_.surfaceCurvature.setSize(n);
-        forces_.surfaceK.setSize(n);
-    }
+    sizeForces();
     relaxation_ = 0;
+    ranges_.restart();
 
-    for (label i = 0; i < n; i++)
+    for (label i = 0; i < state_.size(); i++)
     {
-        const carrier& c = carriers_[i];
+        carrier c(around(i, g));
         const particle p
         {
             state_.v[i],
             state_.d[i],
             state_.rho[i],
             state_.thermal ? state_.T[i] : 0,
-            state_.type[i]
+            state_.type[i],
+            state_.omega[i],
+            state_.id[i],
+            need.lastForce ? lastForce_[i] : vector::zero,
+            need.memory ? forces_.memory.data() + i*need.memory : nullptr
         };
 
         // Outside the mesh there is no fluid
@@ -207,7 +118,11 @@ void Foam::dew::particleExchange::evaluateLaws()
         scalar Qp = 0;
         if (c.rho > 0)
         {
+            particle q(p);
+            q.memory = p.memory + laws_.needs().memory;
+            seenVelocity_.correct(q, c);
             f = laws_.total(p, c);
+            ranges_.count(p, c);
             if (heatTransfer_)
             {
                 Qp = heatTransfer_->Qp(p, c);
@@ -222,7 +137,17 @@ void Foam::dew::particleExchange::evaluateLaws()
         {
             forces_.kT[i] = f.kT;
         }
-        if (laws_.needsSurface())
+        if (need.torque)
+        {
+            forces_.Tu[i] = f.Tu;
+            forces_.Tp[i] = f.Tp;
+            forces_.Omega[i] = 0.5*c.motion.vorticity();
+        }
+        if (need.addedMass)
+        {
+            forces_.addedMass[i] = f.addedMass;
+        }
+        if (need.surface)
         {
             const liquidSurface& s = c.surface;
             forces_.surfaceX[i] = s.X;
@@ -236,7 +161,8 @@ void Foam::dew::particleExchange::evaluateLaws()
             forces_.Qp[i] = Qp;
             forces_.Tf[i] = c.T;
         }
-        relaxation_ = max(relaxation_, f.Sp*dt/state_.mass(i));
+        relaxation_ =
+            max(relaxation_, f.Sp*dt/(state_.mass(i) + f.addedMass));
     }
 }
 

@@ -4,7 +4,8 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-// Restart of the pending kicks, and averages of the particles
+// Restart of the pending kicks and of what laws remember, and averages of
+// the particles
 
 #include "particleExchange.H"
 #include "OSspecific.H"
@@ -24,13 +25,35 @@ constexpr Foam::label nKickValues = 4;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::fileName Foam::dew::particleExchange::kickFile() const
+Foam::fileName Foam::dew::particleExchange::restartFile
+(
+    const word& name
+) const
 {
-    return fileName("uniform")/"particles"/"exchange";
+    const Time& time = mesh_.time();
+    return time.path()/time.timeName()/"uniform"/"particles"/name;
 }
 
 
-void Foam::dew::particleExchange::readKicks()
+Foam::fileName Foam::dew::particleExchange::restartToRead
+(
+    const word& name
+) const
+{
+    // Of the master's processor directory, or of the whole case, as the
+    // engine's own restart
+    const fileName path(restartFile(name));
+    if (isFile(path))
+    {
+        return path;
+    }
+    const Time& time = mesh_.time();
+    return
+        time.globalPath()/time.timeName()/"uniform"/"particles"/name;
+}
+
+
+bool Foam::dew::particleExchange::readKicks()
 {
     // Sources of a step that is over: nothing is pending but what was written
     const label n = state_.size();
@@ -45,14 +68,9 @@ void Foam::dew::particleExchange::readKicks()
     }
     kicked_ = true;
 
-    // Of the master's processor directory, or of the whole case, as the
-    // engine's own restart; a run of particles alone has none
+    // A run of particles alone has none
     const Time& time = mesh_.time();
-    fileName path(time.path()/time.timeName()/kickFile());
-    if (!isFile(path))
-    {
-        path = time.globalPath()/time.timeName()/kickFile();
-    }
+    const fileName path(restartToRead("exchange"));
     bool found = isFile(path);
     Pstream::scatter(found);
     if (!found)
@@ -69,7 +87,7 @@ void Foam::dew::particleExchange::readKicks()
                 << path << nl << "Start from an earlier time, or from the"
                 << " beginning" << exit(FatalError);
         }
-        return;
+        return false;
     }
 
     boolList known;
@@ -97,6 +115,64 @@ void Foam::dew::particleExchange::readKicks()
             heatKick_[i] = v[3];
         }
     }
+    return true;
+}
+
+
+void Foam::dew::particleExchange::readMemory()
+{
+    const label n = state_.size(), nMemory = needs().memory;
+    memory_.setSize(nMemory*n, scalar(0));
+    lastForce_.setSize(needs().lastForce ? n : 0, vector::zero);
+
+    const label nValues = nMemory + (needs().lastForce ? 3 : 0);
+    const fileName path(restartToRead("laws"));
+    bool found = nValues && isFile(path);
+    Pstream::scatter(found);
+    if (!found)
+    {
+        return;
+    }
+
+    boolList known;
+    const List<scalar> values
+    (
+        particleRecord::read(path, state_.id, nValues, known)
+    );
+    for (label i = 0; i < n; i++)
+    {
+        const scalar* v = values.cdata() + nValues*i;
+        std::copy(v, v + nMemory, memory_.data() + nMemory*i);
+        if (needs().lastForce)
+        {
+            v += nMemory;
+            lastForce_[i] = vector(v[0], v[1], v[2]);
+        }
+    }
+}
+
+
+void Foam::dew::particleExchange::writeMemory() const
+{
+    const label nMemory = needs().memory;
+    const label nValues = nMemory + (needs().lastForce ? 3 : 0);
+    if (!nValues)
+    {
+        return;
+    }
+
+    List<scalar> values(nValues*state_.size());
+    for (label i = 0; i < state_.size(); i++)
+    {
+        scalar* v = values.data() + nValues*i;
+        const scalar* m = memory().cdata() + nMemory*i;
+        v = std::copy(m, m + nMemory, v);
+        for (direction k = 0; needs().lastForce && k < 3; k++)
+        {
+            v[k] = lastForce_[i][k];
+        }
+    }
+    particleRecord::write(restartFile("laws"), state_.id, values, nValues);
 }
 
 
@@ -126,15 +202,13 @@ bool Foam::dew::particleExchange::writeObject
             v[3] = heatKick_[i];
         }
     }
-    const fileName path
-    (
-        mesh_.time().path()/mesh_.time().timeName()/kickFile()
-    );
+    const fileName path(restartFile("exchange"));
     if (Pstream::master())
     {
         mkDir(path.path());
     }
     particleRecord::write(path, state_.id, values, nKickValues);
+    writeMemory();
 
     // Averages of the particles in each cell, by mass
     scalarField solid(mesh_.nCells(), Zero);

@@ -142,9 +142,11 @@ void Foam::dew::couplingCheck::print() const
         const hostCells& hosts = exchange_.map().hosts();
         const List<scalar> d(hosts.map().forward(s.d));
         const scalarField widths(cellWidths());
+        const scalar smoothed = exchange_.smoothingLength();
         forAll(d, k)
         {
-            width = max(width, d[k]/widths[hosts.cells()[k]]);
+            width =
+                max(width, d[k]/max(widths[hosts.cells()[k]], smoothed));
             dMax = max(dMax, d[k]);
         }
         reduce(width, maxOp<scalar>());
@@ -189,11 +191,15 @@ void Foam::dew::couplingCheck::print() const
     );
     printLine
     (
-        "particle diameter over cell width", width,
+        exchange_.smoothingLength() > 0
+      ? "particle diameter over width of smoothing"
+      : "particle diameter over cell width",
+        width,
         exchange_.widthLimit(),
         "The fluid a particle sees is disturbed by itself: use a coarser mesh"
+        " or a wider smoothing"
     );
-    if (exchange_.displaces())
+    if (exchange_.displaces() && !(exchange_.smoothingLength() > 0))
     {
         printLine
         (

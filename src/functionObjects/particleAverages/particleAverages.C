@@ -48,32 +48,13 @@ Foam::dew::particleAverages::particleAverages
 
 const Foam::fvMesh& Foam::dew::particleAverages::mesh() const
 {
-    if (!isA<fvMesh>(obr_))
-    {
-        FatalErrorInFunction
-            << "Function object " << name() << " of type " << typeName
-            << " needs the map between particles and cells that solvers with a"
-            << " fluid have" << nl << "Use it with cfdDemFoam; for particles"
-            << " alone with voidFraction particleCentre and momentum none"
-            << exit(FatalError);
-    }
     return refCast<const fvMesh>(obr_);
 }
 
 
 const Foam::dew::particleExchange& Foam::dew::particleAverages::exchange() const
 {
-    const auto* found =
-        obr_.cfindObject<particleExchange>("particleExchange");
-    if (!found)
-    {
-        FatalErrorInFunction
-            << "Function object " << name() << " of type " << typeName
-            << " finds no exchange between particles and a fluid" << nl
-            << "Use it with a solver that has one"
-            << exit(FatalError);
-    }
-    return *found;
+    return obr_.lookupObject<particleExchange>("particleExchange");
 }
 
 
@@ -207,6 +188,17 @@ bool Foam::dew::particleAverages::read(const dictionary& dict)
 {
     regionFunctionObject::read(dict);
 
+    if (!obr_.foundObject<particleExchange>("particleExchange"))
+    {
+        // A plain error would only be a warning here
+        FatalIOErrorInFunction(dict)
+            << "Function object " << name() << " of type " << typeName
+            << " needs the map between particles and cells that solvers with"
+            << " a fluid have" << nl << "Use it with cfdDemFoam; for particles"
+            << " alone with 'momentum none;' and 'forces {}' in the coupling"
+            << exit(FatalIOError);
+    }
+
     wordList names
     {
         "alpha.particles", "bulkDensity.particles", "numberDensity.particles",
@@ -230,7 +222,6 @@ bool Foam::dew::particleAverages::read(const dictionary& dict)
             << "Add 'heat on;' to constant/particleProperties, or remove the"
             << " field" << exit(FatalIOError);
     }
-    exchange();
 
     timeAverage_ = dict.getOrDefault<Switch>("timeAverage", false);
     if (dict.found("averageStart"))

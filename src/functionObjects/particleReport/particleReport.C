@@ -96,6 +96,10 @@ void Foam::dew::particleReport::print()
         }
         Info<< endl;
     }
+    if (l.wallHeat != 0)
+    {
+        Info<< "    heat from walls " << l.wallHeat << " J" << endl;
+    }
     if (l.departed)
     {
         Info<< "    left the domain: " << l.departed << " particles, "

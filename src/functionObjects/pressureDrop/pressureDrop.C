@@ -15,6 +15,8 @@
 // Needs the fields first
 #include "cuttingPlane.H"
 
+#include <sstream>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -60,13 +62,6 @@ Foam::dew::pressureDrop::pressureDrop
 
 const Foam::fvMesh& Foam::dew::pressureDrop::mesh() const
 {
-    if (!isA<fvMesh>(obr_))
-    {
-        FatalErrorInFunction
-            << "Function object " << name() << " of type " << typeName
-            << " finds no fluid" << nl << "Use it with a solver that has one"
-            << exit(FatalError);
-    }
     return refCast<const fvMesh>(obr_);
 }
 
@@ -113,13 +108,20 @@ void Foam::dew::pressureDrop::addPatches
 
     for (const wordRe& pattern : dict.get<wordRes>("patches"))
     {
-        const labelList found(patches.indices(pattern));
+        const labelHashSet found
+        (
+            patches.patchSet(List<wordRe>(1, pattern), false)
+        );
         if (found.empty())
         {
+            // Those of processors are not the user's
+            const wordList names
+            (
+                SubList<word>(patches.names(), patches.nNonProcessor())
+            );
             FatalIOErrorInFunction(dict)
                 << "Unknown patch '" << pattern << "'" << nl
-                << "Patches are " << flatOutput(patches.names())
-                << exit(FatalIOError);
+                << "Patches are " << flatOutput(names) << exit(FatalIOError);
         }
         for (const label patchi : found)
         {
@@ -143,16 +145,15 @@ void Foam::dew::pressureDrop::addPlane
     const dictionary& entries = userEntry::subDict(dict, "plane");
     userEntry::onlyThese(entries, {"point", "normal"});
 
-    const cuttingPlane cut
+    const vector normal(userEntry::direction(entries, "normal"));
+
+    // Off points and faces of the mesh: a plane through them loses cells
+    const point origin
     (
-        plane
-        (
-            userEntry::point(entries, "point", dimLength),
-            userEntry::direction(entries, "normal")
-        ),
-        mesh(),
-        false
+        userEntry::point(entries, "point", dimLength)
+      + 1e-6*mesh().bounds().mag()*normal
     );
+    const cuttingPlane cut(plane(origin, normal), mesh(), false);
     forAll(cut.surfFaces(), facei)
     {
         const scalar S = cut.surfFaces()[facei].mag(cut.points());
@@ -238,7 +239,15 @@ bool Foam::dew::pressureDrop::read(const dictionary& dict)
     {
         averageStart_ = userEntry::number(dict, "averageStart", dimTime);
     }
-    mesh();
+
+    if (!isA<fvMesh>(obr_))
+    {
+        // A plain error would only be a warning here
+        FatalIOErrorInFunction(dict)
+            << "Function object " << name() << " of type " << typeName
+            << " finds no fluid" << nl << "Use it with a solver that has one"
+            << exit(FatalIOError);
+    }
     userEntry::subDict(dict, "from");
     userEntry::subDict(dict, "to");
 
@@ -291,8 +300,11 @@ bool Foam::dew::pressureDrop::execute()
 
 bool Foam::dew::pressureDrop::write()
 {
-    Info<< name() << ": pressure drop " << drop_ << " Pa, mean " << mean_
-        << " Pa over " << duration_ << " s" << nl << endl;
+    // Six digits are enough to read
+    std::ostringstream os;
+    os  << name() << ": pressure drop " << drop_ << " Pa, mean " << mean_
+        << " Pa over " << duration_ << " s";
+    Info<< os.str().c_str() << nl << endl;
 
     setProperty("time", time_.value());
     setProperty("duration", duration_);

@@ -18,16 +18,17 @@ void Foam::dew::bulkForces::check(const label n) const
         Qu.size(), Qp.size(), Tf.size(),
         Sn.size(), kick.size(), heatKick.size(), kT.size(),
         surfaceX.size(), surfaceN.size(), surfaceSpeed.size(),
-        surfaceCurvature.size(), surfaceK.size()
+        surfaceCurvature.size(), surfaceK.size(), addedMass.size(),
+        nMemory ? memory.size()/nMemory : 0
     };
     static const char* names[] =
     {
         "Su", "Sp", "U", "Tu", "Tp", "Omega", "Qu", "Qp", "Tf",
         "Sn", "kick", "heatKick", "kT", "surfaceX", "surfaceN",
-        "surfaceSpeed", "surfaceCurvature", "surfaceK"
+        "surfaceSpeed", "surfaceCurvature", "surfaceK", "addedMass", "memory"
     };
 
-    for (label k = 0; k < 18; k++)
+    for (label k = 0; k < 20; k++)
     {
         if (sizes[k] != 0 && sizes[k] != n)
         {
@@ -41,7 +42,7 @@ void Foam::dew::bulkForces::check(const label n) const
         const label partner =
             k < 9 && k % 3 == 1 ? k + 1
           : k == 12 && sizes[k] ? 1
-          : k > 12 ? 13
+          : k > 12 && k < 18 ? 13
           : k;
 
         if (sizes[k] != sizes[partner])

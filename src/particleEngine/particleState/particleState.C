@@ -25,6 +25,7 @@ void Foam::dew::particleState::setSize(const label n)
     heat.setSize(thermal ? n : 0);
     impulseSp.setSize(n);
     heatSp.setSize(thermal ? n : 0);
+    memory.setSize(nMemory*n, scalar(0));
 }
 
 

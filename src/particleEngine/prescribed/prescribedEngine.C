@@ -216,6 +216,9 @@ Foam::label Foam::dew::prescribedEngine::advance
         displacement_ += timeIntegral(velocity_(), t0, t1);
     }
 
+    state_.nMemory = b.nMemory;
+    state_.memory = b.memory;
+
     forAll(x0_, i)
     {
         state_.x[i] = box_.wrapped(x0_[i] + displacement_);

@@ -7,6 +7,7 @@
 #include "cellPlanes.H"
 #include "cyclicPolyPatch.H"
 #include "polyMesh.H"
+#include "PstreamReduceOps.H"
 #include "processorCyclicPolyPatch.H"
 #include "syncTools.H"
 
@@ -39,6 +40,7 @@ Foam::scalar keeper(const Foam::vector& n)
 Foam::dew::cellPlanes::cellPlanes(const polyMesh& mesh)
 :
     mesh_(mesh),
+    period_(GREAT),
     maxSteps_(0)
 {
     correct();
@@ -52,16 +54,19 @@ void Foam::dew::cellPlanes::findCrossings()
     const label nInternal = mesh_.nInternalFaces();
     const label nBoundary = mesh_.nFaces() - nInternal;
 
-    // Cell, rank and face centre of the other side; as plain numbers, which
-    // are not transformed on the way
-    labelList cell(nBoundary), rank(nBoundary, Pstream::myProcNo());
+    // Cell, face, rank and face centre of the other side; as plain numbers,
+    // which are not transformed on the way
+    labelList cell(nBoundary), face(nBoundary);
+    labelList rank(nBoundary, Pstream::myProcNo());
     List<scalar> centre[3];
 
     forAll(cell, i)
     {
         cell[i] = mesh_.faceOwner()[nInternal + i];
+        face[i] = nInternal + i;
     }
     syncTools::swapBoundaryFaceList(mesh_, cell);
+    syncTools::swapBoundaryFaceList(mesh_, face);
     syncTools::swapBoundaryFaceList(mesh_, rank);
 
     for (direction k = 0; k < 3; k++)
@@ -75,7 +80,8 @@ void Foam::dew::cellPlanes::findCrossings()
     }
 
     crossings_.setSize(nBoundary);
-    crossings_ = crossing{-1, -1, Zero};
+    crossings_ = crossing{-1, -1, -1, Zero};
+    period_ = GREAT;
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
@@ -93,15 +99,18 @@ void Foam::dew::cellPlanes::findCrossings()
             crossing& c = crossings_[i];
             c.rank = rank[i];
             c.cell = cell[i];
+            c.face = face[i];
 
             if (cyclic)
             {
                 c.shift =
                     vector(centre[0][i], centre[1][i], centre[2][i])
                   - patch.faceCentres()[facei];
+                period_ = min(period_, mag(c.shift));
             }
         }
     }
+    reduce(period_, minOp<scalar>());
 }
 
 
@@ -112,7 +121,13 @@ const Foam::dew::cellPlanes::crossing& Foam::dew::cellPlanes::beyond
     const label facei
 ) const
 {
-    return crossings_[facei - mesh_.nInternalFaces()];
+    return crossings_[boundaryIndex(facei)];
+}
+
+
+Foam::label Foam::dew::cellPlanes::boundaryIndex(const label facei) const
+{
+    return facei - mesh_.nInternalFaces();
 }
 
 

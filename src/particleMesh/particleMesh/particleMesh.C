@@ -5,79 +5,22 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleMesh.H"
-#include "polyMesh.H"
-#include "rankMessages.H"
-
-#include <algorithm>
+#include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dew::particleMesh::particleMesh
 (
     const polyMesh& mesh,
-    const supportStencil& stencil
+    autoPtr<particleSupport>&& support
 )
 :
-    mesh_(mesh),
-    stencil_(stencil),
+    support_(std::move(support)),
     hosts_(mesh)
 {}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::dew::particleMesh::add(const label celli, const scalar weight)
-{
-    for (label e = start_.last(); e < cell_.size(); e++)
-    {
-        if (cell_[e] == celli)
-        {
-            weight_[e] += weight;
-            return;
-        }
-    }
-    cell_.append(celli);
-    weight_.append(weight);
-}
-
-
-bool Foam::dew::particleMesh::step
-(
-    walker& w,
-    List<DynamicList<walker>>& travelling
-) const
-{
-    while (true)
-    {
-        const label face = hosts_.planes().walk(w.p, w.cell);
-
-        if (face == cellPlanes::inside)
-        {
-            return true;
-        }
-        if (face == cellPlanes::lost)
-        {
-            return false;
-        }
-
-        const cellPlanes::crossing& to = hosts_.planes().beyond(face);
-        if (to.rank < 0 || w.hops == 64)
-        {
-            return false;
-        }
-
-        w.p += to.shift;
-        w.cell = to.cell;
-        w.hops++;
-
-        if (to.rank != Pstream::myProcNo())
-        {
-            travelling[to.rank].append(w);
-            return false;
-        }
-    }
-}
-
 
 void Foam::dew::particleMesh::normalise(const label n)
 {
@@ -104,7 +47,7 @@ void Foam::dew::particleMesh::normalise(const label n)
     bool all = true;
     for (scalar& t : total)
     {
-        // Shares of 1/29 sum up to one within some ulp
+        // Equal shares sum up to one within some ulp
         const bool complete = mag(t - 1) < 1e-12;
         all = all && complete;
         t = complete || t <= 0 ? 1 : 1/t;
@@ -116,13 +59,9 @@ void Foam::dew::particleMesh::normalise(const label n)
 
     const List<scalar> hosted(hosts_.map().forward(total));
     const List<scalar> other(guests_.forward(total));
-    for (label k = 0; k + 1 < start_.size(); k++)
+    for (label k = 0; k < cells_.size(); k++)
     {
-        const scalar factor = k < nHosted ? hosted[k] : other[k - nHosted];
-        for (label e = start_[k]; e < start_[k+1]; e++)
-        {
-            weight_[e] *= factor;
-        }
+        cells_.scale(k, k < nHosted ? hosted[k] : other[k - nHosted]);
     }
 }
 
@@ -142,119 +81,12 @@ void Foam::dew::particleMesh::correct
         owned_ = x;
     }
 
-    const cellPlanes& planes = hosts_.planes();
-    const labelUList& hostCell = hosts_.cells();
-    const label nHosted = hostCell.size();
-
-    start_.clear();
-    cell_.clear();
-    weight_.clear();
-
-    if (stencil_.size() == 1)
+    cells_.clear();
+    DynamicList<particleKey> keysOfGuests;
+    if (!support_->find(hosts_, x_, d, cells_, keysOfGuests))
     {
-        for (label k = 0; k < nHosted; k++)
-        {
-            start_.append(k);
-            cell_.append(hostCell[k]);
-            weight_.append(1);
-        }
-        start_.append(nHosted);
         return;
     }
-
-    const List<scalar> diameters(hosts_.map().forward(d));
-    const scalar reach = stencil_.reach();
-    const UList<particleKey>& keys = hosts_.keys();
-
-    List<DynamicList<walker>> travelling(Pstream::nProcs());
-    DynamicList<portion> shares;
-    DynamicList<cellPlanes::cut> near(32);
-
-    for (label k = 0; k < nHosted; k++)
-    {
-        start_.append(cell_.size());
-        const scalar radius = 0.5*diameters[k];
-        const point centre(symmetry().fold(x_[k]));
-
-        // Turned to the middle plane, the same at any azimuth
-        const point turned(symmetry().unfold(centre, centre));
-
-        planes.cuts(centre, hostCell[k], reach*radius, near);
-        if (near.empty())
-        {
-            cell_.append(hostCell[k]);
-            weight_.append(1);
-            continue;
-        }
-
-        // Most points are in the cell of the centre
-        scalar inHost = 0;
-        forAll(stencil_.offset, s)
-        {
-            vector away(radius*stencil_.offset[s]);
-            if (symmetry().wedge())
-            {
-                away = symmetry().fold(turned + away) - centre;
-            }
-            bool inside = true;
-            for (const cellPlanes::cut& plane : near)
-            {
-                inside = inside && (plane.n & away) <= plane.distance;
-            }
-            if (inside)
-            {
-                inHost += stencil_.weight[s];
-                continue;
-            }
-
-            walker w
-            {
-                keys[k], centre + away, hostCell[k], stencil_.weight[s], 0
-            };
-            if (step(w, travelling))
-            {
-                add(w.cell, w.weight);
-            }
-        }
-        if (inHost > 0)
-        {
-            add(hostCell[k], inHost);
-        }
-    }
-
-    // Points in cells of other ranks
-    while (Pstream::parRun() && anyList(travelling))
-    {
-        List<List<walker>> arrived;
-        exchangeLists(travelling, arrived);
-        for (DynamicList<walker>& part : travelling)
-        {
-            part.clear();
-        }
-        for (List<walker>& part : arrived)
-        {
-            for (walker& w : part)
-            {
-                if (step(w, travelling))
-                {
-                    shares.append({w.key, w.cell, w.weight});
-                }
-            }
-        }
-    }
-
-    std::sort(shares.begin(), shares.end());
-    DynamicList<particleKey> keysOfGuests;
-    forAll(shares, i)
-    {
-        if (i == 0 || !(shares[i].key == shares[i-1].key))
-        {
-            keysOfGuests.append(shares[i].key);
-            start_.append(cell_.size());
-        }
-        add(shares[i].cell, shares[i].weight);
-    }
-    start_.append(cell_.size());
 
     guests_.correct(keysOfGuests);
     normalise(x.size());
@@ -290,8 +122,7 @@ std::size_t Foam::dew::particleMesh::bytes() const
     return
         hosts_.bytes() + guests_.bytes()
       + (x_.size() + owned_.size())*sizeof(point)
-      + (start_.capacity() + cell_.capacity())*sizeof(label)
-      + weight_.capacity()*sizeof(scalar);
+      + cells_.bytes();
 }
 
 

@@ -19,10 +19,11 @@ void Foam::dew::particleMesh::share
 
     for (label k = 0; k < nHosted; k++)
     {
-        for (label e = start_[k]; e < start_[k+1]; e++)
-        {
-            add(cell_[e], part*weight_[e], hosted[k]);
-        }
+        cells_.each
+        (
+            k,
+            [&](const label c, const scalar w) { add(c, part*w, hosted[k]); }
+        );
     }
 
     if (guests_.active())
@@ -30,11 +31,14 @@ void Foam::dew::particleMesh::share
         const List<Type> other(guests_.forward(values));
         forAll(other, g)
         {
-            const label k = nHosted + g;
-            for (label e = start_[k]; e < start_[k+1]; e++)
-            {
-                add(cell_[e], part*weight_[e], other[g]);
-            }
+            cells_.each
+            (
+                nHosted + g,
+                [&](const label c, const scalar w)
+                {
+                    add(c, part*w, other[g]);
+                }
+            );
         }
     }
 }
@@ -126,13 +130,7 @@ void Foam::dew::particleMesh::gather
 
     const auto cellsOf = [this](const label k)
     {
-        return [this, k](const auto& op)
-        {
-            for (label e = start_[k]; e < start_[k+1]; e++)
-            {
-                op(cell_[e], weight_[e]);
-            }
-        };
+        return [this, k](const auto& op) { cells_.each(k, op); };
     };
 
     List<Type> held(nHosted);
@@ -154,4 +152,25 @@ void Foam::dew::particleMesh::gather
         }
         guests_.reverse(held, merge, values);
     }
+}
+
+
+template<class Type, class HostOp>
+void Foam::dew::particleMesh::gatherHosted
+(
+    UList<Type>& values,
+    const HostOp& hosted
+) const
+{
+    const labelUList& hostCell = hosts_.cells();
+
+    List<Type> held(hostCell.size());
+    forAll(held, k)
+    {
+        hosted(hostCell[k], symmetry().fold(x_[k]), held[k]);
+    }
+    hosts_.map().reverse
+    (
+        held, [](Type& to, const Type& from) { to = from; }, values
+    );
 }

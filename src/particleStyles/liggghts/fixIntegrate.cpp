@@ -68,6 +68,8 @@ Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
     Fix(lmp, narg, arg),
     data_(nullptr),
     colloid_(nullptr),
+    memory_(nullptr),
+    nMemory_(0),
     loaded_(false),
     heated_(false),
     overdamped_(narg == 4 && std::strcmp(arg[3], "overdamped") == 0),
@@ -115,6 +117,7 @@ Foam::dew::fixIntegrate::~fixIntegrate()
     atom->delete_callback(id, 1);
     memory->destroy(data_);
     memory->destroy(colloid_);
+    memory->destroy(memory_);
 }
 
 
@@ -171,8 +174,10 @@ void Foam::dew::fixIntegrate::load(const bool anyTerm)
         const double R = atom->radius[i];
         const double I = inertia*m*R*R;
 
-        d[halfStep] = 0.5*dt/m*phi1(0.5*dt/m*d[Sp]);
-        d[fullStep] = dt*dt/m*phi2(dt/m*d[Sp]);
+        const double moved = m + d[addedMass];
+
+        d[halfStep] = 0.5*dt/moved*phi1(0.5*dt/moved*d[Sp]);
+        d[fullStep] = dt*dt/moved*phi2(dt/moved*d[Sp]);
         d[halfTurn] = 0.5*dt/I*phi1(0.5*dt/I*d[Tp]);
         d[heatStep] = 0;
         for (int k = 0; k < 3; k++)
@@ -193,6 +198,22 @@ void Foam::dew::fixIntegrate::load(const bool anyTerm)
             c[noiseXV] = noise.xv;
             c[noiseX] = noise.x;
         }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::needMemory(const int n)
+{
+    if (n == nMemory_)
+    {
+        return;
+    }
+    memory->destroy(memory_);
+    nMemory_ = n;
+    memory->create(memory_, atom->nmax, n, "dew/integrate:memory");
+    for (int i = 0; i < atom->nlocal; i++)
+    {
+        std::memset(memory_[i], 0, n*sizeof(double));
     }
 }
 
@@ -488,6 +509,10 @@ void Foam::dew::fixIntegrate::grow_arrays(int nmax)
             colloid_, nmax, int(nColloidColumns), "dew/integrate:colloid"
         );
     }
+    if (memory_)
+    {
+        memory->grow(memory_, nmax, nMemory_, "dew/integrate:memory");
+    }
 }
 
 
@@ -498,6 +523,10 @@ void Foam::dew::fixIntegrate::copy_arrays(int i, int j, int)
     {
         std::memcpy(colloid_[j], colloid_[i], nColloidColumns*sizeof(double));
     }
+    if (memory_)
+    {
+        std::memcpy(memory_[j], memory_[i], nMemory_*sizeof(double));
+    }
 }
 
 
@@ -507,6 +536,10 @@ void Foam::dew::fixIntegrate::set_arrays(int i)
     if (colloid_)
     {
         std::memset(colloid_[i], 0, nColloidColumns*sizeof(double));
+    }
+    if (memory_)
+    {
+        std::memset(memory_[i], 0, nMemory_*sizeof(double));
     }
 
     // A particle without bulk terms still steps by dt/m
@@ -529,25 +562,37 @@ void Foam::dew::fixIntegrate::set_arrays(int i)
 
 int Foam::dew::fixIntegrate::pack_exchange(int i, double* buf)
 {
+    int n = nColumns;
     std::memcpy(buf, data_[i], nColumns*sizeof(double));
-    if (!colloid_)
+    if (colloid_)
     {
-        return nColumns;
+        std::memcpy(buf + n, colloid_[i], nColloidColumns*sizeof(double));
+        n += nColloidColumns;
     }
-    std::memcpy(buf + nColumns, colloid_[i], nColloidColumns*sizeof(double));
-    return nColumns + nColloidColumns;
+    if (memory_)
+    {
+        std::memcpy(buf + n, memory_[i], nMemory_*sizeof(double));
+        n += nMemory_;
+    }
+    return n;
 }
 
 
 int Foam::dew::fixIntegrate::unpack_exchange(int i, double* buf)
 {
+    int n = nColumns;
     std::memcpy(data_[i], buf, nColumns*sizeof(double));
-    if (!colloid_)
+    if (colloid_)
     {
-        return nColumns;
+        std::memcpy(colloid_[i], buf + n, nColloidColumns*sizeof(double));
+        n += nColloidColumns;
     }
-    std::memcpy(colloid_[i], buf + nColumns, nColloidColumns*sizeof(double));
-    return nColumns + nColloidColumns;
+    if (memory_)
+    {
+        std::memcpy(memory_[i], buf + n, nMemory_*sizeof(double));
+        n += nMemory_;
+    }
+    return n;
 }
 
 
@@ -576,6 +621,7 @@ void Foam::dew::fixIntegrate::unpack_restart(int i, int nth)
 
 double Foam::dew::fixIntegrate::memory_usage()
 {
-    const int n = colloid_ ? nColumns + nColloidColumns : nColumns;
+    const int n =
+        nColumns + (colloid_ ? int(nColloidColumns) : 0) + nMemory_;
     return double(atom->nmax)*n*sizeof(double);
 }

@@ -21,6 +21,13 @@ Description
     do its velocity at the start, the kick given then (as a velocity), and Sn,
     the part of the force Su that is not counted as received.
 
+    With an added mass ma the particle moves as one of mass m + ma, but what
+    it received is counted with m: the momentum of the fluid it carries along
+    is the fluid's.
+
+    The memory of laws is any number of columns (needMemory), which the fix
+    only keeps and lets migrate.
+
     Colloids (fixIntegrateColloids.cpp) have more columns, made when they are
     first needed: Brownian motion (brownianMotion) and the force of a liquid's
     surface (surfaceSpring), both exact at any sub-step. The surface's impulse
@@ -90,8 +97,8 @@ public:
         keptForce = 24, keptTorque = 27, kept = 30,
         // derived from the above at the start of a call: dt/m phi(...)
         halfStep = 31, fullStep = 32, halfTurn = 33, heatStep = 34,
-        Sn = 35, startVelocity = 38, kick = 41,
-        nColumns = 44,
+        Sn = 35, startVelocity = 38, kick = 41, addedMass = 44,
+        nColumns = 45,
         nKept = 7       // keptForce, keptTorque, kept
     };
 
@@ -116,6 +123,10 @@ private:
 
     //- nColloidColumns values a particle, null without colloids
     double** colloid_;
+
+    //- nMemory_ values a particle, null without
+    double** memory_;
+    int nMemory_;
 
     //- Are there bulk terms at all?
     bool loaded_, heated_;
@@ -182,6 +193,14 @@ public:
     void needColloids();
 
     bool colloids() const { return colloid_; }
+
+    //- Make n columns for the memory of laws; on all ranks
+    void needMemory(int n);
+
+    int nMemory() const { return nMemory_; }
+
+    double* memoryOf(int i) { return memory_[i]; }
+    const double* memoryOf(int i) const { return memory_[i]; }
 
     //- Columns of colloids of a particle
     double* colloid(int i) { return colloid_[i]; }

@@ -5,8 +5,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "registerStyles.h"
+#include "fixConduction.h"
 #include "fixGravity.h"
 #include "fixIntegrate.h"
+#include "fixLubrication.h"
+#include "fixWallContacts.h"
+#include "reach.h"
 
 #include <map>
 #include <string>
@@ -22,12 +26,6 @@ namespace dew
 {
 
 typedef std::map<std::string, Fix* (*)(LAMMPS*, int, char**)> fixMap;
-
-template<class Tag, typename Tag::type member>
-struct reach
-{
-    friend typename Tag::type address(Tag) { return member; }
-};
 
 struct fixMapTag
 {
@@ -53,4 +51,7 @@ void Foam::dew::registerStyles(LAMMPS* lmp)
 
     fixes["dew/integrate"] = &makeFix<fixIntegrate>;
     fixes["dew/gravity"] = &makeFix<fixGravity>;
+    fixes["dew/wallContacts"] = &makeFix<fixWallContacts>;
+    fixes["dew/lubrication"] = &makeFix<fixLubrication>;
+    fixes["dew/conduction"] = &makeFix<fixConduction>;
 }

@@ -11,9 +11,7 @@ Description
     Makes our styles known to an engine at run time; nothing of the engine is
     patched. A new style is one line in registerStyles.cpp.
 
-    Modify::fix_map is private in the engine's header. Access checks do not
-    apply to the arguments of an explicit instantiation ([temp.explicit] 12),
-    which is used here to reach it without changing any layout or symbol.
+    Modify::fix_map is private in the engine's header: see reach.h.
 
 SourceFiles
     registerStyles.cpp

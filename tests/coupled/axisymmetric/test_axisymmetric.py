@@ -162,6 +162,49 @@ def test_volume_is_kept_and_shared_by_radius(tmp_path, void, ranks, cut):
     assert (unsure == 0).sum() > 10
 
 
+@pytest.mark.parametrize('ranks, cut', [(1, ''), (2, 'r'), (2, 'z')])
+@pytest.mark.parametrize('void', ['trilinear', 'Gaussian', 'bigParticle'])
+def test_smooth_models_share_in_the_middle_plane(tmp_path, void, ranks, cut):
+    """Shares by the models' formulas with distances in the middle plane, at any azimuth, to 1e-12 of the fullest; with
+    the cells' volumes as weights for the kernels, without for the box."""
+    case = WedgeCase(tmp_path)
+    case.mesh()
+    if ranks > 1:
+        case.decompose(ranks, cut)
+    x, d = awkward()
+    d = np.maximum(d, 1e-4)
+    entries = {'trilinear': {}, 'Gaussian': {'width': 5e-4}, 'bigParticle': {'scale': 6}}[void]
+    cells, particles, outside = case.map(x, d, ranks, voidFraction={'type': void, **entries})
+    assert outside == 0
+    assert np.abs(particles['weights'] - 1).max() < 1e-13
+
+    (nr, nz), expected = case.cells, np.zeros(len(cells))
+    dr, dz = R / nr, H / nz
+    h = np.sqrt(dr * dz)
+    for centre, diameter in zip(x, d):
+        r, z = np.hypot(*centre[:2]), centre[2]
+        away = np.hypot(cells['x'] - r * C, cells['z'] - z)
+        if void == 'trilinear':
+            i, k = (cells['x'] / C / dr).astype(int), (cells['z'] / dz).astype(int)
+            w = np.maximum(1 - np.abs(r / dr - i - 0.5), 0) * np.maximum(1 - np.abs(z / dz - k - 0.5), 0)
+        elif void == 'Gaussian':
+            w = cells['V'] * np.maximum(np.exp(-0.5 * (away / 5e-4)**2) - np.exp(-8), 0)
+        else:
+            w = cells['V'] * np.clip((np.maximum(3 * diameter, np.sqrt(0.75) * h) - away) / h + 0.5, 0, 1)
+        expected += sphere(diameter) * w / w.sum()
+    assert np.abs(RING * cells['solid'] - expected).max() < 1e-12 * expected.max()
+
+
+def test_exact_overlap_with_rings_is_refused(tmp_path):
+    case = WedgeCase(tmp_path)
+    case.mesh()
+    case.write_file('constant/map.csv', 'x,y,z,d\n')
+    case.write_file('constant/testProperties', 'voidFraction { type exactOverlap; }\n')
+    done = case.run('testMap')
+    assert done.code != 0 and done.output.count('FATAL') == 1
+    assert all(words in done.output for words in ('testProperties', 'exactOverlap', 'wedge', 'divided')), done.output
+
+
 @pytest.mark.parametrize('ranks, cut', [(1, ''), (2, 'r')])
 def test_linear_fields_are_exact_in_space(tmp_path, ranks, cut):
     """u_r = a r, u_phi = b r (solid rotation), u_z = c + e z: in space (a x - b y, a y + b x, c + e z), to 1e-12 of
@@ -456,3 +499,41 @@ def test_one_wedge_patch_is_refused(tmp_path):
     done = case.run('testMap')
     assert done.code != 0
     assert 'The mesh has 1 wedge patches' in done.output, done.output
+
+
+# --- Averages of the phase
+
+@pytest.mark.parametrize('phi', [0.0, 1.3, 4.0])
+def test_averages_are_those_of_the_ring(tmp_path, phi):
+    """Two spheres at an azimuth, pressed together along the radius and moving with (0.1, 0.02, 0.3) m/s in radial,
+    azimuthal and axial direction: the same fields at each; moment F r of the contact (Hertz, no damping) in the ring."""
+    d, distance = 4e-4, 3.99e-4
+    x = turned(np.array([[2e-3, 0, 1.5e-3], [2e-3 + distance, 0, 1.5e-3]]), phi)
+    v = turned(np.array([[0.1, 0.02, 0.3]]), phi)[0]
+    fields = ('alpha.particles', 'U.particles', 'granularTemperature', 'collisionalStress', 'contactNumber')
+    case = WedgeCase(tmp_path, cells=(2, 2), gravity=(0, 0, 0), deltaT=1e-7, endTime=1e-7, writeInterval=1, functions={
+        'phase': {'type': 'particleAverages', 'libs': '(dewFunctionObjects)', 'fields': fields,
+                  'writeControl': 'writeTime'}})
+    case.particles({'x': x[:, 0], 'y': x[:, 1], 'z': x[:, 2], 'd': d, 'vx': v[0], 'vy': v[1], 'vz': v[2]})
+    case.properties = {
+        'engine': 'liggghts', 'materials': {'glass': GLASS}, 'insertion': FILE, 'output': ('csv',),
+        'contacts': {**CONTACTS, 'default': {'restitution': 1.0, 'friction': 0.3}},
+        'coupling': {'voidFraction': {'type': 'particleCentre'}, 'momentum': 'none', 'forces': {}}}
+    case.mesh()
+    done = case.run('cfdDemFoam')
+    assert done.code == 0, done.output
+    text = {name: (case.path / '1e-07' / name).read_text() for name in fields}
+
+    def first(name):
+        body = re.search(r'internalField\s+nonuniform\s+List<\w+>\s*\d+\s*\(\s*\(?([^()\n]*)', text[name])[1]
+        return np.array(body.split(), dtype=float)
+
+    volume = np.pi * (R / 2)**2 * H / 2
+    rows = case.table(1e-7)
+    r = np.linalg.norm(np.diff(vectors(rows, 'x y z'), axis=0))
+    force = 4 / 3 * GLASS['youngsModulus'] / (2 * (1 - 0.3**2)) * np.sqrt(d / 4) * (d - r)**1.5
+    assert np.isclose(first('alpha.particles')[0], 2 * sphere(d) / volume, rtol=1e-10)
+    assert np.allclose(first('U.particles'), [0.1, 0.02, 0.3], rtol=1e-5)
+    assert np.allclose(first('collisionalStress'), [force * r / volume, 0, 0, 0, 0, 0], rtol=1e-5,
+                       atol=1e-5 * force * r / volume)
+    assert first('contactNumber')[0] == 1

@@ -38,6 +38,18 @@ REFUSALS = {
         ('particleProperties', 'heatTransfer', 'Ranz', 'RanzMarshall', 'LiMason')),
     'model unknown': (
         {'coupling/model': 'C'}, {}, {}, ('particleProperties', 'coupling', 'C', '(A B)')),
+    'two drag laws': (
+        {'coupling/forces/second': {'type': 'WenYu'}}, {}, {},
+        ('particleProperties', 'second drag law WenYu', 'Gidaspow', 'forces', 'Remove')),
+    'a law twice': (
+        {'coupling/forces/again': {'type': 'pressureGradientForce'}}, {}, {},
+        ('particleProperties', 'second law pressureGradientForce', 'again', 'Remove')),
+    'a law without effect in model B': (
+        {'coupling/model': 'B', 'coupling/forces/pressure/buoyancy': False}, {}, {},
+        ('particleProperties', 'pressureGradientForce', 'does nothing in model B', 'Remove', 'buoyancy on', 'model A')),
+    'StokesCunningham without a mean free path': (
+        {'coupling/forces/drag/type': 'StokesCunningham'}, {}, {},
+        ('particleProperties', 'drag', "'meanFreePath'")),
     'momentum scheme unknown': (
         {'coupling/momentum': 'implicit'}, {}, {},
         ('particleProperties', 'coupling', 'implicit', 'semiImplicit', 'explicit', 'none')),
@@ -56,6 +68,21 @@ REFUSALS = {
     'misspelt in voidFraction': (
         {'coupling/voidFraction/typ': 'divided'}, {}, {},
         ('particleProperties', 'voidFraction', "'typ'", 'Valid entries', 'type')),
+    'divided into no parts': (
+        {'coupling/voidFraction/points': 0}, {}, {}, ('particleProperties', 'voidFraction', "'points'", '0')),
+    'Gaussian without a width': (
+        {'coupling/voidFraction': {'type': 'Gaussian'}}, {}, {},
+        ('particleProperties', 'voidFraction', "'width'", "'diameters'")),
+    # 4 x 2 mm in a mesh of 4 mm
+    'Gaussian wider than the mesh': (
+        {'coupling/voidFraction': {'type': 'Gaussian', 'width': 2e-3}}, {}, {},
+        ('particleProperties', 'voidFraction', "'width' 0.002", '0.008 m', 'below 0.001', 'larger mesh')),
+    'bigParticle smaller than itself': (
+        {'coupling/voidFraction': {'type': 'bigParticle', 'scale': 0.5}}, {}, {},
+        ('particleProperties', 'voidFraction', "'scale'", '0.5')),
+    'bigParticle wider than the mesh': (
+        {'coupling/voidFraction': {'type': 'bigParticle', 'scale': 20}}, {}, {},
+        ('particleProperties', 'voidFraction', "'scale' 20", '0.0065 m', 'smaller')),
     'misspelt in a law': (
         {'coupling/forces/pressure/bouyancy': True}, {}, {},
         ('particleProperties', 'pressure', "'bouyancy'", 'Valid entries', 'buoyancy')),
@@ -92,7 +119,7 @@ REFUSALS = {
          'materials/glass/density': 2500.0}, {'nu': '[0 2 -1 0 0 0 0] 1'}, {},
         ('time step 0.0001', 'explicit', 'cell', 'deltaT', 'controlDict', 'semiImplicit', 'particleProperties')),
 }
-ON_2_RANKS = ('void fraction model unknown', 'misspelt in coupling', 'rho missing', 'heatTransfer without T',
+ON_2_RANKS = ('void fraction model unknown', 'two drag laws', 'misspelt in coupling', 'rho missing', 'heatTransfer without T',
               'explicit above its limit')
 
 
@@ -259,6 +286,21 @@ def test_particles_that_leave_are_counted(case, ranks):
     volume = np.pi / 6 * 6e-4**3
     assert np.abs(rows['represented'] - volume * np.array([2, 2, 1, 1, 1, 0, 0, 0])).max() < 1e-12 * volume
     assert np.abs(rows['held'] - volume * np.array(n)).max() < 1e-12 * volume
+
+
+@pytest.mark.parametrize('model, pressure, told', [
+    ('A', True, None), ('B', False, None),
+    ('A', False, 'model A without pressureGradientForce'),
+    ('B', True, 'model B with pressureGradientForce')])
+def test_who_carries_the_pressure_gradient(case, model, pressure, told):
+    """What could be meant runs, with a warning."""
+    case.properties['coupling'] = case.coupling('Gidaspow', pressure=pressure, model=model)
+    case.control.update(endTime=1e-4)
+    case.write()
+    done = case.run('cfdDemFoam')
+    assert done.code == 0, done.output
+    warnings = [line for line in done.output.splitlines() if 'pressureGradientForce' in line]
+    assert len(warnings) == (told is not None) and all('WARNING: ' + told in line for line in warnings), warnings
 
 
 # --- Restart and dry run

@@ -243,6 +243,7 @@ int main(int argc, char *argv[])
         Info<< "Time = " << runTime.timeName() << " particles "
             << l.particles << " sub-steps " << l.subSteps
             << " impulse " << l.impulse << " heat " << l.heat
+            << " walls " << l.wallHeat
             << " departed " << l.departed << ' ' << l.departedMass << ' '
             << l.departedVolume << ' ' << l.departedImpulse << ' '
             << l.departedHeat << endl;

@@ -21,15 +21,18 @@ Description
     U       (0 0 0);            // r = x - centre
     gradU   (0 0 0  0 0 0  0 0 0);
     square  (0 0 0);
+    overlap false;              // also the exact overlap with all cells
     \endverbatim
 
     cells.csv has centre, volume and the volume of particles of each cell;
     particles.csv, in the order of the table, the label and centre of the cell
     that holds the particle (-1 if none), the sum of its weights, the fluid's
-    velocity, what was asked of the field there, and the rank.
+    velocity, what was asked of the field there, the rank, and the overlap with
+    all cells of that rank over the particle's volume.
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "cellOverlap.H"
 #include "fvMesh.H"
 #include "IFstream.H"
 #include "particleExchange.H"
@@ -125,7 +128,7 @@ int main(int argc, char *argv[])
     dew::particleMesh map
     (
         mesh,
-        dew::voidFractionModel::New(dict.subDict("voidFraction"))->stencil()
+        dew::voidFractionModel::New(dict.subDict("voidFraction"))->support(mesh)
     );
 
     if (dict.getOrDefault("before", false))
@@ -234,6 +237,20 @@ int main(int argc, char *argv[])
         }
     }
 
+    List<scalar> overlap(s.size(), Zero);
+    if (dict.getOrDefault("overlap", false))
+    {
+        const dew::cellOverlap balls(mesh);
+        forAll(overlap, i)
+        {
+            for (label celli = 0; celli < mesh.nCells(); celli++)
+            {
+                overlap[i] +=
+                    balls.volume(s.x[i], 0.5*s.d[i], celli)/volume[i];
+            }
+        }
+    }
+
     std::ostringstream cells, particles;
     cells.precision(17);
     particles.precision(17);
@@ -254,13 +271,13 @@ int main(int argc, char *argv[])
         put(particles, U[i]);
         particles << ',';
         put(particles, exact[i]);
-        particles << ',' << places[i].rank << '\n';
+        particles << ',' << places[i].rank << ',' << overlap[i] << '\n';
     }
     write(runTime.globalPath()/"cells.csv", "x,y,z,V,solid", cells.str());
     write
     (
         runTime.globalPath()/"particles.csv",
-        "cell,x,y,z,weights,ux,uy,uz,ex,ey,ez,rank", particles.str()
+        "cell,x,y,z,weights,ux,uy,uz,ex,ey,ez,rank,overlap", particles.str()
     );
 
     Info<< "Outside " << map.nOutside() << nl << "End\n" << endl;

@@ -27,6 +27,7 @@ def fresh(path, name):
                                   pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/Goldschmidt', marks=pytest.mark.slow),
                                   'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction',
+                                  'cfdDemFoam/sphereInWater',
                                   'cfdDemFoam/packedBedHeat', 'cfdDemFoam/hinderedSettling',
                                   'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])

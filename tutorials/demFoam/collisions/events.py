@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""The events of the four cases, the same for all sizes: lengths in diameters, velocities in m/s.
+"""The events of the six cases, the same for all sizes: lengths in diameters, velocities in m/s.
 
-Usage: events.py hertz|hooke|floor|incline DIAMETER > particles.csv
+Usage: events.py hertz|hooke|floor|incline|bounce|stacked DIAMETER > particles.csv
 """
 import sys
-from math import cos, pi, radians, sqrt
+from math import cos, pi, radians, sin, sqrt
 from typing import NamedTuple
 
 # Of glass, as in the dictionaries
@@ -23,6 +23,12 @@ V0 = 0.5                # on the floor
 SLIP = {'mu10': 0.1, 'mu30': 0.3, 'mu60': 0.6}
 ROLL = {'roll02': 0.02, 'roll10': 0.1}
 TILTED = {'mu05': 0.05, 'mu10': 0.1, 'mu15': 0.15, 'mu18': 0.18, 'mu30': 0.3, 'mu60': 0.6}
+DROPS = {'e60': 0.6, 'e75': 0.75, 'e90': 0.9}
+HEIGHTS = [0.2, 0.5]    # of the fall, in diameters
+MU = 0.1                # of the oblique impacts
+OBLIQUE = [45, 60, 75]  # degrees from the normal
+LID = 1.9
+STACK = {'glass': 0.46, 'steel': 1.415}
 
 
 class Particle(NamedTuple):
@@ -74,7 +80,20 @@ def incline():
     return [Particle(name, (2, 2 + 2*i, z)) for i, name in enumerate(TILTED)]
 
 
-CASES = {'hertz': collisions, 'hooke': collisions, 'floor': floor, 'incline': incline}
+def bounce():
+    drops = [Particle(name, (2 + 3*i, 2 + 3*j, 0.5 + h))
+             for i, h in enumerate(HEIGHTS) for j, name in enumerate(DROPS)]
+    oblique = [Particle('e100', (2, 11 + 2*i, 0.6), (0.5*sin(radians(a)), 0, -0.5*cos(radians(a))))
+               for i, a in enumerate(OBLIQUE)]
+    return drops + oblique
+
+
+def stacked():
+    return [Particle(name, (8, 10, z)) for name, z in STACK.items()]
+
+
+CASES = {'hertz': collisions, 'hooke': collisions, 'floor': floor, 'incline': incline, 'bounce': bounce,
+         'stacked': stacked}
 
 
 def table(case, d):

@@ -6,6 +6,7 @@
 
 #include "DiFeliceDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -48,4 +49,14 @@ Foam::scalar Foam::dew::dragModels::DiFeliceDrag::Sp
     const scalar CdRe = sqr(0.63*sqrt(Re) + 4.8);
 
     return stokes(p, c)*CdRe/24*pow(c.alphac, 1 - chi);
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::DiFeliceDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSuperficial, 0, 2e5},
+        {"alphac", lawQuantities::voidFraction, 0.4, 1}
+    };
 }

@@ -6,6 +6,7 @@
 
 #include "ErgunDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -53,4 +54,14 @@ Foam::scalar Foam::dew::dragModels::ErgunDrag::Sp
 ) const
 {
     return law(p, c);
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::ErgunDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSuperficial, 0, 1000},
+        {"alphac", lawQuantities::voidFraction, 0.35, 0.6}
+    };
 }

@@ -8,6 +8,7 @@
 #include "ErgunDrag.H"
 #include "WenYuDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -23,6 +24,28 @@ namespace dragModels
 }
 }
 }
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam::dew;
+
+bool dense(const carrier& c)
+{
+    return c.alphac < 0.8;
+}
+
+
+//- Of the particles that Ergun's law is for
+Foam::scalar ReDense(const particle& p, const carrier& c)
+{
+    return dense(c) ? lawQuantities::ReSuperficial(p, c) : 0;
+}
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -41,5 +64,16 @@ Foam::scalar Foam::dew::dragModels::GidaspowDrag::Sp
     const carrier& c
 ) const
 {
-    return c.alphac < 0.8 ? ErgunDrag::law(p, c) : WenYuDrag::law(p, c);
+    return dense(c) ? ErgunDrag::law(p, c) : WenYuDrag::law(p, c);
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::GidaspowDrag::ranges() const
+{
+    return
+    {
+        {"Re at alphac < 0.8", ReDense, 0, 1000},
+        {"Re", lawQuantities::ReSuperficial, 0, 2e5},
+        {"alphac", lawQuantities::voidFraction, 0.35, 1}
+    };
 }

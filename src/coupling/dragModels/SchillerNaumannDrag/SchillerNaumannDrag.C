@@ -6,6 +6,7 @@
 
 #include "SchillerNaumannDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -45,7 +46,14 @@ Foam::scalar Foam::dew::dragModels::SchillerNaumannDrag::Sp
     const carrier& c
 ) const
 {
-    const scalar Re = c.rho*mag(c.U - p.U)*p.d/c.mu;
+    return stokes(p, c)*CdRe(ReSingle(p, c))/24;
+}
 
-    return stokes(p, c)*CdRe(Re)/24;
+
+Foam::dew::lawRanges Foam::dew::dragModels::SchillerNaumannDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSingle, 0, 2e5}
+    };
 }

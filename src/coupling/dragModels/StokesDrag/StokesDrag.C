@@ -6,6 +6,7 @@
 
 #include "StokesDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -50,4 +51,13 @@ Foam::scalar Foam::dew::dragModels::StokesDrag::Sp
 ) const
 {
     return stokes(p, c)/Cc(p.d);
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::StokesDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSingle, 0, 1}
+    };
 }

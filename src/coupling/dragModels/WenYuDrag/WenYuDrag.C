@@ -7,6 +7,7 @@
 #include "WenYuDrag.H"
 #include "SchillerNaumannDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -53,4 +54,14 @@ Foam::scalar Foam::dew::dragModels::WenYuDrag::Sp
 ) const
 {
     return law(p, c);
+}
+
+
+Foam::dew::lawRanges Foam::dew::dragModels::WenYuDrag::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSuperficial, 0, 2e5},
+        {"alphac", lawQuantities::voidFraction, 0.4, 1}
+    };
 }

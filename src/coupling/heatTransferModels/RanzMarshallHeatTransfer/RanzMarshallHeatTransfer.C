@@ -6,6 +6,7 @@
 
 #include "RanzMarshallHeatTransfer.H"
 #include "addToRunTimeSelectionTable.H"
+#include "lawQuantities.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -41,4 +42,13 @@ Foam::scalar Foam::dew::heatTransferModels::RanzMarshallHeatTransfer::Nu
 ) const
 {
     return 2 + 0.6*sqrt(Re)*cbrt(Pr);
+}
+
+
+Foam::dew::lawRanges Foam::dew::heatTransferModels::RanzMarshallHeatTransfer::ranges() const
+{
+    return
+    {
+        {"Re", lawQuantities::ReSingle, 0, 1e4}
+    };
 }

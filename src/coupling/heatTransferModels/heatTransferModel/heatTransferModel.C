@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "heatTransferModel.H"
+#include "lawQuantities.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -26,7 +27,7 @@ Foam::scalar Foam::dew::heatTransferModel::Qp
     const carrier& c
 ) const
 {
-    const scalar Re = c.rho*mag(c.U - p.U)*p.d/c.mu;
+    const scalar Re = lawQuantities::ReSingle(p, c);
     const scalar Pr = c.mu*c.Cp/c.kappa;
 
     return Nu(Re, Pr, c.alphac)*c.kappa*constant::mathematical::pi*p.d;

@@ -6,6 +6,7 @@
 
 #include "particleForceList.H"
 #include "Brownian.H"
+#include "dragModel.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -23,17 +24,15 @@ Foam::dew::particleForceList::modelNames
 Foam::dew::particleForceList::particleForceList
 (
     const dictionary& dict,
-    const bool temperature,
-    const bool surface
+    const lawNeeds& offered
 )
 :
     model_(modelNames.getOrDefault("model", dict, models::A)),
-    needsTemperature_(false),
-    needsSurface_(false),
     brownian_(false)
 {
     const dictionary& laws = userEntry::subDict(dict, "forces");
     laws_.setSize(laws.size());
+    memoryStart_.setSize(laws.size(), Zero);
 
     label n = 0;
     bool pressure = false;
@@ -48,55 +47,91 @@ Foam::dew::particleForceList::particleForceList
             pressure
          || laws_[n - 1].reaction() == particleForce::reactions::sharedPressure;
 
-        add(laws_[n - 1], laws.subDict(e.keyword()), temperature, surface);
+        memoryStart_[n - 1] = needs_.memory;
+        checkBeside(n - 1, laws_[n - 1], laws.subDict(e.keyword()));
+        add(laws_[n - 1], laws.subDict(e.keyword()), offered);
     }
 
-    if (model_ == models::A && n > 0 && !pressure)
+    if (n > 0)
     {
-        Info<< "WARNING: model A without pressureGradientForce in "
-            << laws.name() << ": nobody carries the particles' share of the"
-            << " pressure gradient, and they have no buoyancy" << nl << endl;
+        tellPressure(pressure, laws.name());
     }
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::dew::particleForceList::checkBeside
+(
+    const label n,
+    const particleForce& law,
+    const dictionary& dict
+) const
+{
+    for (label i = 0; i < n; i++)
+    {
+        const particleForce& other = laws_[i];
+        const bool drags = isA<dragModel>(law) && isA<dragModel>(other);
+
+        if
+        (
+            drags || law.type() == other.type()
+         || (law.needs().surface && other.needs().surface)
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "A second " << (drags ? "drag law " : "law ") << law.type()
+                << " beside " << other.type() << ", whose forces would add: "
+                << dict.name() << nl << "Remove one of the two"
+                << exit(FatalIOError);
+        }
+    }
+
+    if (model_ == models::B && !law.inModelB())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Law " << law.type() << " does nothing in model B, where"
+            << " particles see no pressure gradient, as it is set: "
+            << dict.name() << nl
+            << "Remove it, set 'buoyancy on;' in it, or 'model A;'"
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::dew::particleForceList::add
 (
     const particleForce& law,
     const dictionary& dict,
-    const bool temperature,
-    const bool surface
+    const lawNeeds& offered
 )
 {
-    const bool brownian = isA<particleForces::Brownian>(law);
+    const lawNeeds needs(law.needs());
+    needs.refuse(law.type(), dict, offered);
 
-    if ((brownian && brownian_) || (law.needsSurface() && needsSurface_))
-    {
-        FatalIOErrorInFunction(dict)
-            << "A second law " << law.type() << ": " << dict.name() << nl
-            << "Remove one of the two" << exit(FatalIOError);
-    }
-    if (law.needsTemperature() && !temperature)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Law " << law.type() << " needs a temperature, and the fluid has"
-            << " none: " << dict.name() << nl
-            << "Add the entry 'T', e.g. T 298.15; or a field T to the start"
-            << " time" << exit(FatalIOError);
-    }
-    if (law.needsSurface() && !surface)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Law " << law.type() << " needs a solver with a liquid surface: "
-            << dict.name() << nl
-            << "Use a solver of drops, or remove the law" << exit(FatalIOError);
-    }
+    brownian_ = brownian_ || isA<particleForces::Brownian>(law);
+    needs_.add(needs);
+}
 
-    brownian_ = brownian_ || brownian;
-    needsTemperature_ = needsTemperature_ || law.needsTemperature();
-    needsSurface_ = needsSurface_ || law.needsSurface();
+
+void Foam::dew::particleForceList::tellPressure
+(
+    const bool pressure,
+    const fileName& where
+) const
+{
+    if (model_ == models::A && !pressure)
+    {
+        Info<< "WARNING: model A without pressureGradientForce in " << where
+            << ": nobody carries the particles' share of the"
+            << " pressure gradient, and they have no buoyancy" << nl << endl;
+    }
+    if (model_ == models::B && pressure)
+    {
+        Info<< "WARNING: model B with pressureGradientForce in " << where
+            << ": only its buoyancy acts, the pressure gradient of the flow is"
+            << " in the drag" << nl << endl;
+    }
 }
 
 
@@ -104,14 +139,17 @@ void Foam::dew::particleForceList::add
 
 Foam::dew::particleForceList::sum Foam::dew::particleForceList::total
 (
-    const particle& p,
+    particle p,
     const carrier& c
 ) const
 {
     sum result;
+    scalar* const memory = p.memory;
 
-    for (const particleForce& law : laws_)
+    forAll(laws_, k)
     {
+        const particleForce& law = laws_[k];
+        p.memory = memory + memoryStart_[k];
         const forceSuSp f(law.force(p, c));
 
         if (law.reaction() == particleForce::reactions::fluid)
@@ -126,6 +164,7 @@ Foam::dew::particleForceList::sum Foam::dew::particleForceList::total
 
             result.Su += factor*f.Su;
             result.Sp += factor*f.Sp;
+            result.addedMass += f.addedMass;
         }
         else
         {
@@ -133,6 +172,8 @@ Foam::dew::particleForceList::sum Foam::dew::particleForceList::total
         }
         result.kT += f.kT;
         result.surfaceK += f.surfaceK;
+        result.Tu += f.Tu;
+        result.Tp += f.Tp;
     }
 
     return result;

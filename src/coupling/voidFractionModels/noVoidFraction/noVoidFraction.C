@@ -6,6 +6,7 @@
 
 #include "noVoidFraction.H"
 #include "addToRunTimeSelectionTable.H"
+#include "centreSupport.H"
 #include "userEntry.H"
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -22,6 +23,8 @@ namespace dew
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dew::noVoidFraction::noVoidFraction(const dictionary& dict)
+:
+    voidFractionModel(dict)
 {
     userEntry::onlyThese(dict, {"type"});
 }
@@ -29,7 +32,10 @@ Foam::dew::noVoidFraction::noVoidFraction(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::dew::supportStencil Foam::dew::noVoidFraction::stencil() const
+Foam::autoPtr<Foam::dew::particleSupport> Foam::dew::noVoidFraction::support
+(
+    const polyMesh&
+) const
 {
-    return supportStencil();
+    return autoPtr<particleSupport>(new centreSupport());
 }

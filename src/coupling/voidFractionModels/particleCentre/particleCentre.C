@@ -6,6 +6,7 @@
 
 #include "particleCentre.H"
 #include "addToRunTimeSelectionTable.H"
+#include "centreSupport.H"
 #include "userEntry.H"
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -22,6 +23,8 @@ namespace dew
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dew::particleCentre::particleCentre(const dictionary& dict)
+:
+    voidFractionModel(dict)
 {
     userEntry::onlyThese(dict, {"type"});
 }
@@ -29,7 +32,10 @@ Foam::dew::particleCentre::particleCentre(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::dew::supportStencil Foam::dew::particleCentre::stencil() const
+Foam::autoPtr<Foam::dew::particleSupport> Foam::dew::particleCentre::support
+(
+    const polyMesh&
+) const
 {
-    return supportStencil();
+    return autoPtr<particleSupport>(new centreSupport());
 }

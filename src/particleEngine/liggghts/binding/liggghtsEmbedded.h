@@ -121,6 +121,7 @@ public:
     void pull(const stateView&) const override;
     void contacts(const contactView&) override;
     std::vector<departedParticle> departed() override;
+    double wallHeat() const override;
     long step() const override { return long(lmp_->update->ntimestep); }
     long total() const override;
     void writeRestart(const std::string& file) override;

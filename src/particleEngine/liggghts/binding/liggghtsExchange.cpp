@@ -7,6 +7,7 @@
 // Bulk forces to the engine, state and what was received from it
 
 #include "liggghtsEmbedded.h"
+#include "fixConduction.h"
 #include "fixGravity.h"
 #include "impulseSensitivity.H"
 
@@ -92,6 +93,15 @@ void getVectors(double** from, const int n, double* to, const double factor)
             to[3*i + k] = factor*from[i][k];
         }
     }
+}
+
+//- Null without conduction
+Foam::dew::fixConduction* findConduction(Modify& modify)
+{
+    return dynamic_cast<Foam::dew::fixConduction*>
+    (
+        modify.find_fix_style("dew/conduction", 0)
+    );
 }
 
 } // End anonymous namespace
@@ -298,7 +308,7 @@ void Foam::dew::liggghtsEmbedded::sensitivities
                 u.mass
                *(
                     m > 0
-                  ? impulseSensitivity(m, d[f::Sp], t, chi)
+                  ? impulseSensitivity(m, d[f::Sp], t, chi, d[f::addedMass])
                   : chi*d[f::Sp]*t
                 );
         }
@@ -337,14 +347,29 @@ void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
     {
         gravity->clear();
     }
+    if (auto* conduction = findConduction(*lmp_->modify))
+    {
+        conduction->clear();
+    }
 
     // Decided together: a particle may migrate to a rank that pushed nothing
     int any[2] =
     {
-        b.Su || b.Sn || b.Sp || b.Tu || b.Tp || b.Qu || b.Qp || b.surfaceK,
+        b.Su || b.Sn || b.Sp || b.Tu || b.Tp || b.Qu || b.Qp || b.surfaceK
+     || b.addedMass,
         b.kT || b.surfaceK
     };
     MPI_Allreduce(MPI_IN_PLACE, any, 2, MPI_INT, MPI_MAX, world_);
+
+    if (b.nMemory > 0)
+    {
+        data.needMemory(b.nMemory);
+        setColumn
+        (
+            [&data](int i) { return data.memoryOf(i); }, id, n, b.memory, 0,
+            b.nMemory, 1
+        );
+    }
 
     if (!any[0] && !data.loaded() && !data.heated())
     {
@@ -369,6 +394,7 @@ void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
     set(b.Qp, f::Qp, 1, 1/u.power());
     set(b.Tf, f::Tf, 1, 1);
 
+    set(b.addedMass, f::addedMass, 1, 1/u.mass);
     set(b.Sn, f::Sn, 3, 1/u.force());
 
     if (any[1])
@@ -433,6 +459,14 @@ void Foam::dew::liggghtsEmbedded::pull(const stateView& s) const
     }
     getColumn(data, n, s.angularImpulse, f::angularImpulse, 3, u.torque()*u.time);
     getColumn(data, n, s.heat, f::heat, 1, u.power()*u.time);
+    for (int i = 0; s.memory && data.nMemory() && i < n; i++)
+    {
+        std::memcpy
+        (
+            s.memory + i*data.nMemory(), data.memoryOf(i),
+            data.nMemory()*sizeof(double)
+        );
+    }
     sensitivities(s.impulseSp, s.heatSp);
 }
 
@@ -456,4 +490,12 @@ Foam::dew::liggghtsEmbedded::departed()
     }
 
     return result;
+}
+
+
+double Foam::dew::liggghtsEmbedded::wallHeat() const
+{
+    const fixConduction* conduction = findConduction(*lmp_->modify);
+    return
+        conduction ? conduction->wallHeat()*units_.power()*units_.time : 0;
 }

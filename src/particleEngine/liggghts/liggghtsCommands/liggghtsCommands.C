@@ -276,7 +276,7 @@ Foam::scalar Foam::dew::liggghtsCommands::overdampedTimeStep
 }
 
 
-void Foam::dew::liggghtsCommands::begin()
+void Foam::dew::liggghtsCommands::begin(const vector& g)
 {
     add("units lj");
     add("atom_style granular");
@@ -291,6 +291,17 @@ void Foam::dew::liggghtsCommands::begin()
         (
             "processors " + std::to_string(n.x()) + ' '
           + std::to_string(n.y()) + ' ' + std::to_string(n.z())
+        );
+    }
+    else if (mag(g) > 0)
+    {
+        // Particles lie at the bottom: cut the box into columns
+        const vector a(cmptMag(g));
+        add
+        (
+            a.x() >= max(a.y(), a.z()) ? "processors 1 * *"
+          : a.y() >= a.z() ? "processors * 1 *"
+          : "processors * * 1"
         );
     }
 }
@@ -415,6 +426,19 @@ void Foam::dew::liggghtsCommands::contact(const scalar skin)
 }
 
 
+void Foam::dew::liggghtsCommands::temperature
+(
+    const std::string& fix,
+    const particleWall& w
+)
+{
+    if (heat_ && w.heated())
+    {
+        wallTemperatures_ += ' ' + fix + ' ' + engineText(w.T());
+    }
+}
+
+
 void Foam::dew::liggghtsCommands::wallOf
 (
     const particleWall& w,
@@ -429,18 +453,14 @@ void Foam::dew::liggghtsCommands::wallOf
     const point p(shape.position/units_.length);
 
     std::string line("fix " + name + " all wall/gran " + model());
-    const std::string heat
-    (
-        w.heated() && heat_ ? " temperature " + engineText(w.T()) : ""
-    );
-
     if (shape.what == wallShape::plane)
     {
         add
         (
             line + " primitive type " + type + ' ' + axis + "plane "
-          + engineText(p[shape.axis]) + heat
+          + engineText(p[shape.axis])
         );
+        temperature(name, w);
         return;
     }
 
@@ -451,8 +471,9 @@ void Foam::dew::liggghtsCommands::wallOf
         (
             line + " primitive type " + type + ' ' + axis + "cylinder "
           + engineText(shape.radius/units_.length) + ' '
-          + engineText(p[min(k1, k2)]) + ' ' + engineText(p[max(k1, k2)]) + heat
+          + engineText(p[min(k1, k2)]) + ' ' + engineText(p[max(k1, k2)])
         );
+        temperature(name, w);
         return;
     }
 
@@ -484,9 +505,10 @@ void Foam::dew::liggghtsCommands::wallOf
     add
     (
         "fix " + mesh + " all mesh/surface file \"" + stlPath + "\" type "
-      + type + heat + " curvature_tolerant yes"
+      + type + " curvature_tolerant yes"
     );
     meshes_.append(mesh);
+    temperature(mesh, w);
 
     if (w.motion().moves())
     {
@@ -520,16 +542,64 @@ void Foam::dew::liggghtsCommands::meshWalls()
 }
 
 
-void Foam::dew::liggghtsCommands::conduction(const scalar T0)
+void Foam::dew::liggghtsCommands::wallContacts()
 {
+    add("fix wallContacts all dew/wallContacts" + wallTemperatures_);
+}
+
+
+void Foam::dew::liggghtsCommands::conduction
+(
+    const scalar T0,
+    const conductionModel& model
+)
+{
+    // The temperature is integrated with the bulk heat, by our integrator
     add
     (
-        "fix conduction all heat/gran/conduction initial_temperature "
+        "fix ste_heattransfer all transportequation/scalar"
+        " equation_id heattransfer quantity Temp default_value "
       + engineText(T0)
+      + " flux_quantity heatFlux source_quantity heatSource"
+        " capacity_quantity thermalCapacity"
+    );
+    add("fix_modify ste_heattransfer integrate stop");
+
+    if (model.type() == "none")
+    {
+        return;
+    }
+
+    const scalar perLength = units_.power()/units_.length;
+    std::string line
+    (
+        "fix conduction all dew/conduction " + model.type() + ' '
+      + engineText(model.fluidConductivity()/perLength)
     );
 
-    // The temperature is integrated with the bulk heat, by our integrator
-    add("fix_modify ste_heattransfer integrate stop");
+    for (label i = 0; i < materials_.size(); i++)
+    {
+        const scalar rhoCp =
+            materials_.density(i)*materials_.heatCapacity(i);
+        const scalar compliance =
+            (1 - sqr(materials_.poissonsRatio(i)))
+           /materials_.youngsModulus(i);
+
+        line +=
+            ' ' + engineText(materials_.thermalConductivity(i)/perLength)
+          + ' ' + engineText(rhoCp/units_.pressure())
+          + ' ' + engineText(compliance*units_.pressure());
+    }
+    add(line);
+}
+
+
+void Foam::dew::liggghtsCommands::lubrication(const lubricationProperties& l)
+{
+    if (l.on())
+    {
+        add("fix lubrication all dew/lubrication " + l.engineArguments(units_));
+    }
 }
 
 

@@ -172,6 +172,10 @@ Foam::label Foam::dew::liggghtsEngine::advance
     view.surfaceSpeed = data(b.surfaceSpeed);
     view.surfaceCurvature = data(b.surfaceCurvature);
     view.surfaceK = data(b.surfaceK);
+    view.addedMass = data(b.addedMass);
+    view.nMemory = b.nMemory;
+    view.memory = data(b.memory);
+    state_.nMemory = b.nMemory;
 
     library_.call
     (
@@ -217,6 +221,7 @@ void Foam::dew::liggghtsEngine::pull()
             s.heat = data(state_.heat);
             s.impulseSp = data(state_.impulseSp);
             s.heatSp = data(state_.heatSp);
+            s.memory = data(state_.memory);
             e.pull(s);
 
             for (label& type : state_.type)
@@ -250,6 +255,7 @@ void Foam::dew::liggghtsEngine::pull()
             ledger_.departedVolume = returnReduce(volume, sumOp<scalar>());
             ledger_.departedImpulse = returnReduce(impulse, sumOp<vector>());
             ledger_.departedHeat = returnReduce(heat, sumOp<scalar>());
+            ledger_.wallHeat = returnReduce(e.wallHeat(), sumOp<scalar>());
             ledger_.departedTotal += ledger_.departed;
             ledger_.impulse += ledger_.departedImpulse;
             ledger_.heat += ledger_.departedHeat;

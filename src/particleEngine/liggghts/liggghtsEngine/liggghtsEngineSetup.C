@@ -79,12 +79,13 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             "FoamFile", "engine", "periodic", "heat", "overlapTolerance",
             "materials", "contacts", "walls", "insertion", "timeStep", "skin",
             "processors", "commands", "input", "library", "frameAcceleration",
-            "coupling", "output", "dynamics"
+            "coupling", "output", "dynamics", "conduction", "lubrication"
         }
     );
 
     readGravity();
     readDynamics();
+    checkPairLaws();
 
     if (native_)
     {
@@ -94,7 +95,8 @@ Foam::dew::liggghtsEngine::liggghtsEngine
           : wordList
             ({
                 "materials", "contacts", "walls", "insertion", "skin",
-                "processors", "frameAcceleration", "heat"
+                "processors", "frameAcceleration", "heat", "conduction",
+                "lubrication"
             })
         )
         {
@@ -276,6 +278,53 @@ void Foam::dew::liggghtsEngine::readDynamics()
 }
 
 
+Foam::scalar Foam::dew::liggghtsEngine::smallestRadius() const
+{
+    scalar least = GREAT;
+    for (const insertionModel& model : insertion_)
+    {
+        least = min(least, 0.5*model.minDiameter());
+    }
+    return least;
+}
+
+
+void Foam::dew::liggghtsEngine::checkPairLaws() const
+{
+    if (dict_.found("conduction") && !heat_)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'conduction' is of no use without temperatures" << nl
+            << "Remove it, or set 'heat on;'"
+            << exit(FatalIOError);
+    }
+    if (dict_.found("lubrication") && state_.overdamped)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'lubrication' and dynamics of type overdamped exclude"
+            << " each other: the drag of a step is not known before it" << nl
+            << "Remove one of them"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::dew::liggghtsEngine::checkConduction
+(
+    const conductionModel& model
+) const
+{
+    if (state_.overdamped && model.needsInertia())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Conduction " << model.type() << " and dynamics of type"
+            << " overdamped exclude each other: there are no impacts" << nl
+            << "Use conduction contact, BatchelorOBrien or none"
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
 {
     const dictionary& dict = userEntry::optionalDict(dict_, "timeStep");
@@ -286,11 +335,7 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
         userEntry::positiveOr(dict, "fraction", dimless, usual);
 
     // Any material may come in the smallest size
-    scalar Rmin = GREAT;
-    for (const insertionModel& model : insertion_)
-    {
-        Rmin = min(Rmin, 0.5*model.minDiameter());
-    }
+    const scalar Rmin = smallestRadius();
 
     scalar stable = GREAT, wanted = GREAT;
     for (label i = 0; i < materials_->size(); i++)
@@ -397,7 +442,7 @@ void Foam::dew::liggghtsEngine::chooseUnits()
 void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
 {
     commands.units(units_);
-    commands.begin();
+    commands.begin(g_);
 
     // Walls may reach beyond the mesh, the engine's box must hold them
     PtrList<particleWall> walls;
@@ -495,10 +540,18 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
 
     engineBox_ = wide;
 
-    commands.contact
+    scalar skin =
+        0.5*maxDiameter_*userEntry::positiveOr(dict_, "skin", dimless, 0.3);
+    const lubricationProperties lubrication
     (
-        0.5*maxDiameter_*userEntry::positiveOr(dict_, "skin", dimless, 0.3)
+        dict_, smallestRadius(), 0.5*maxDiameter_
     );
+    if (lubrication.on())
+    {
+        // The lists of flat walls reach as far as half of it, and no further
+        skin = max(skin, 2.2*lubrication.maxGap());
+    }
+    commands.contact(skin);
 
     const fileName path(mesh_.time().globalPath()/folder);
     forAll(walls, i)
@@ -517,10 +570,18 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
     }
 
     commands.meshWalls();
-
+    if (lubrication.on() || heat_)
+    {
+        commands.wallContacts();
+    }
     if (heat_)
     {
-        commands.conduction(293.15);
+        const autoPtr<conductionModel> model
+        (
+            conductionModel::New(dict_, materials_())
+        );
+        checkConduction(model());
+        commands.conduction(293.15, model());
     }
     commands.end(deltaT_);
 
@@ -528,6 +589,7 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
     {
         commands.native(dict_.get<List<string>>("commands"));
     }
+    commands.lubrication(lubrication);
     commands.integrator();
 }
 
@@ -588,7 +650,8 @@ void Foam::dew::liggghtsEngine::execute(const UList<std::string>& lines)
         }
     }
 
-    // The user's own are the last but the integrator
+    // The user's own are the last but the integrator and what goes with it
+    const label nAfter = dict_.found("lubrication") ? 2 : 1;
     const label nOwn =
         dict_.found("commands")
       ? dict_.get<List<string>>("commands").size()
@@ -599,7 +662,7 @@ void Foam::dew::liggghtsEngine::execute(const UList<std::string>& lines)
         const std::string& line = lines[i];
         const std::string origin
         (
-            i < lines.size() - 1 - nOwn || i == lines.size() - 1
+            i < lines.size() - nAfter - nOwn || i >= lines.size() - nAfter
           ? "made from constant/particleProperties, see dem/in.particles"
           : "entry 'commands' in constant/particleProperties"
         );

@@ -3,5 +3,11 @@
   Copyright (C) 2026 The DEW authors
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
+/*
+Header
+    style_cohesion_model
 
-// Empty: the engine's installed headers include this file and lack it
+Description
+    Empty: the engine's installed headers include this file and lack it. Its
+    names of contact models are not needed here.
+\*---------------------------------------------------------------------------*/

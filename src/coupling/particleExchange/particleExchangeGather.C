@@ -1,0 +1,230 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+// What the particles see of the fluid
+
+#include "particleExchange.H"
+#include "linearGradient.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::tensorField>
+Foam::dew::particleExchange::velocityGradient() const
+{
+    if ((linear_ && carrierVelocity_) || needs().motion())
+    {
+        return linearGradient(fluid_.Uc, map_.symmetry());
+    }
+    return tmp<tensorField>();
+}
+
+
+void Foam::dew::particleExchange::gatherHere(const tensorField* gradU)
+{
+    const volVectorField& U = fluid_.Uc;
+    const vectorField& C = mesh_.C();
+    const bool shared = laws_.model() == particleForceList::models::A;
+    const bool thermal = bool(heatTransfer_) || needs().T;
+
+    tmp<vectorField> gradT;
+    if (linear_ && thermal)
+    {
+        gradT = linearGradient(*fluid_.T, map_.symmetry());
+    }
+
+    // As the particles share it: what they take of the pressure the fluid loses
+    vectorField gradp;
+    if (shared)
+    {
+        gradp = fluid_.gradp.primitiveField();
+        smoothing_->average(gradp);
+    }
+    const scalarField& alphac = alphac_.field();
+
+    const auto shares = [&](const auto& cells, fluidHere& c)
+    {
+        c.alphac = 0;
+        c.gradp = Zero;
+        cells
+        (
+            [&](const label celli, const scalar w)
+            {
+                c.alphac += w*alphac[celli];
+                if (shared)
+                {
+                    c.gradp += w*gradp[celli];
+                }
+            }
+        );
+    };
+
+    here_.setSize(state_.size());
+    UList<fluidHere>& here = here_;
+    here = fluidHere();
+
+    map_.gather
+    (
+        here,
+        [&](const label celli, const point& x, const auto& cells, fluidHere& c)
+        {
+            const vector away(x - C[celli]);
+
+            c.U = carrierVelocity_ ? U[celli] : vector::zero;
+            c.rho = fluid_.rho[celli];
+            c.mu = fluid_.mu[celli];
+            if (thermal)
+            {
+                c.T = (*fluid_.T)[celli];
+            }
+            if (heatTransfer_)
+            {
+                c.kappa = (*fluid_.kappa)[celli];
+                c.Cp = (*fluid_.Cp)[celli];
+            }
+            if (linear_ && carrierVelocity_)
+            {
+                c.U += away & (*gradU)[celli];
+            }
+            if (linear_ && thermal)
+            {
+                c.T += away & gradT()[celli];
+            }
+            shares(cells, c);
+        },
+        shares,
+        [](fluidHere& c, const fluidHere& other)
+        {
+            c.alphac += other.alphac;
+            c.gradp += other.gradp;
+        }
+    );
+}
+
+
+void Foam::dew::particleExchange::gatherSurfaces()
+{
+    const vectorField& C = mesh_.C();
+
+    surfaces_.setSize(state_.size());
+    UList<liquidSurface>& surfaces = surfaces_;
+    surfaces = liquidSurface();
+
+    map_.gatherHosted
+    (
+        surfaces,
+        [&](const label celli, const point&, liquidSurface& s)
+        {
+            s.n = (*fluid_.n)[celli];
+            s.X = C[celli] + (*fluid_.psi)[celli]*s.n;
+            s.speed = (*fluid_.surfaceSpeed)[celli];
+            s.curvature = (*fluid_.curvature)[celli];
+        }
+    );
+}
+
+
+void Foam::dew::particleExchange::gatherMotion(const tensorField& gradU)
+{
+    const lawNeeds& need = needs();
+    const volVectorField& U = fluid_.Uc;
+    const bool shared = laws_.model() == particleForceList::models::A;
+
+    motions_.setSize(state_.size());
+    UList<fluidMotion>& motions = motions_;
+    motions = fluidMotion();
+
+    map_.gatherHosted
+    (
+        motions,
+        [&](const label celli, const point&, fluidMotion& m)
+        {
+            m.gradU = gradU[celli];
+            if (need.DUDt)
+            {
+                m.DUDt = (*fluid_.dUdt)[celli] + (U[celli] & gradU[celli]);
+            }
+            if (need.divTau && shared)
+            {
+                m.divTau = (*fluid_.divTau)[celli];
+            }
+            if (need.turbulence)
+            {
+                m.k = (*fluid_.k)[celli];
+                m.epsilon = (*fluid_.epsilon)[celli];
+            }
+        }
+    );
+}
+
+
+void Foam::dew::particleExchange::gatherSpread()
+{
+    const scalarField& V = mesh_.V();
+
+    const auto sum = [&](const auto& cells, scalar& s)
+    {
+        s = 0;
+        cells([&](const label c, const scalar w) { s += w*w/V[c]; });
+    };
+
+    spread_.setSize(state_.size());
+    UList<scalar>& spread = spread_;
+    spread = 0;
+
+    map_.gather
+    (
+        spread,
+        [&](const label, const point&, const auto& cells, scalar& s)
+        {
+            sum(cells, s);
+        },
+        sum,
+        [](scalar& s, const scalar other) { s += other; }
+    );
+    for (scalar& s : spread_)
+    {
+        s = s > 0 ? 1/s : 0;
+    }
+}
+
+
+Foam::dew::carrier Foam::dew::particleExchange::around
+(
+    const label i,
+    const vector& g
+) const
+{
+    const meshSymmetry& symmetry = map_.symmetry();
+
+    carrier c(here_[i]);
+    c.g = g;
+    c.deltaT = mesh_.time().deltaTValue();
+    if (needs().spread)
+    {
+        c.spread = spread_[i];
+    }
+    if (needs().surface)
+    {
+        c.surface = surfaces_[i];
+    }
+    if (needs().motion())
+    {
+        c.motion = motions_[i];
+    }
+
+    if (symmetry.wedge())
+    {
+        c.U = map_.toSpace(c.U, i);
+        c.gradp = map_.toSpace(c.gradp, i);
+        c.surface.X = symmetry.unfold(c.surface.X, state_.x[i]);
+        c.surface.n = map_.toSpace(c.surface.n, i);
+        c.motion.gradU = map_.toSpace(c.motion.gradU, i);
+        c.motion.DUDt = map_.toSpace(c.motion.DUDt, i);
+        c.motion.divTau = map_.toSpace(c.motion.divTau, i);
+    }
+
+    return c;
+}
+
