@@ -234,6 +234,8 @@ def same_particles(one, other, time, tolerance):
 def test_two_ranks_as_one(uninterrupted, tmp_path):
     """Eddies and past go with a particle to the other rank: to 1e-9. All have crossed the middle or the ends."""
     case = turbulent(tmp_path, 10)
+    case.properties['processors'] = (2, 1, 1)       # the engine, too, is cut across the way they go
+    case.write_dict('constant/particleProperties', case.properties)
     case.decompose(2)
     run(case, 2)
     same_particles(uninterrupted, case, 0.02, 1e-9)
