@@ -243,6 +243,10 @@ const Foam::dew::bulkForces& Foam::dew::particleExchange::forces()
         {
             gatherSurfaces();
         }
+        if (needs().spread)
+        {
+            gatherSpread();
+        }
         if (needs().motion())
         {
             gatherMotion(gradU());
@@ -296,7 +300,8 @@ void Foam::dew::particleExchange::correct()
 void Foam::dew::particleExchange::keepLastForce()
 {
     lastForce_.setSize(needs().lastForce ? state_.size() : 0);
-    const scalar perStep = 1/mesh_.time().deltaTValue();
+    // A fluid that does not feel it is not disturbed
+    const scalar perStep = twoWay()/mesh_.time().deltaTValue();
 
     forAll(lastForce_, i)
     {
