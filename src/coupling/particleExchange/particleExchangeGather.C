@@ -183,9 +183,11 @@ void Foam::dew::particleExchange::gatherSpread()
         sum,
         [](scalar& s, const scalar other) { s += other; }
     );
+    // On a wedge that of the ring
+    const scalar ring = map_.symmetry().ringFactor();
     for (scalar& s : spread_)
     {
-        s = s > 0 ? 1/s : 0;
+        s = s > 0 ? ring/s : 0;
     }
 }
 

@@ -193,7 +193,7 @@ void Foam::dew::fixIntegrate::load(const bool anyTerm)
         if (colloid_)
         {
             double* c = colloid_[i];
-            const ornsteinUhlenbeck noise(c[kT], m, d[Sp], dt);
+            const ornsteinUhlenbeck noise(c[kT], moved, d[Sp], dt);
             c[noiseV] = noise.v;
             c[noiseXV] = noise.xv;
             c[noiseX] = noise.x;

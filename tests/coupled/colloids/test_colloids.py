@@ -65,20 +65,22 @@ def lattice(n, spacing, origin=0):
 
 # --- Brownian motion
 
-@pytest.mark.parametrize('h, n_sub', [(0.05, 200), (5, 4), (50, 1)])
-def test_diffusion_and_thermal_velocity(tmp_path, h, n_sub):
-    """Stationary Ornstein-Uhlenbeck: <v^2> = 3 kT/m, <dx^2> = 2 D (t - tau (1 - exp(-t/tau))) for each axis, with
-    D = kT/(6 pi mu R); 3e4 samples have a standard error of 0.8 %, bound 3 %. What was received is m dv."""
-    steps = 12
-    case = colloids(tmp_path, lattice(10, 19 * D), h * TAU, n_sub, steps, {'type': 'inertial', 'seed': 3}, modulus=1)
-    run(case, {'Sp': SP, 'U': (0, 0, 0), 'kT': KT})
-    t = h * TAU * n_sub
+@pytest.mark.parametrize('h, n_sub, added', [(0.05, 200, 0), (5, 4, 0), (50, 1, 0), (0.05, 200, 1.0)])
+def test_diffusion_and_thermal_velocity(tmp_path, h, n_sub, added):
+    """Stationary Ornstein-Uhlenbeck: <v^2> = 3 kT/M, <dx^2> = 2 D (t - tau (1 - exp(-t/tau))) for each axis, with
+    D = kT/(6 pi mu R), tau = M/(6 pi mu R) and M the mass with the added one; 3e4 samples have a standard error of
+    0.8 %, bound 3 %. What was received is m dv."""
+    steps, moved = 12, MASS * (1 + added)
+    tau = moved / SP
+    case = colloids(tmp_path, lattice(10, 19 * D), h * tau, n_sub, steps, {'type': 'inertial', 'seed': 3}, modulus=1)
+    run(case, {'Sp': SP, 'U': (0, 0, 0), 'kT': KT, **({'addedMass': moved - MASS} if added else {})})
+    t = h * tau * n_sub
     rows = [state(case, k * t) for k in range(1, steps + 1)]
     v = np.array([vectors(r, 'vx vy vz') for r in rows[1:]])
     dx = np.diff([vectors(r) for r in rows[1:]], axis=0)
     J = np.array([vectors(r, 'jx jy jz') for r in rows[2:]])
-    assert abs((v**2).sum(axis=2).mean() / (3 * KT / MASS) - 1) < 0.03
-    expected = 2 * KT / SP * (t + TAU * np.expm1(-t / TAU))
+    assert abs((v**2).sum(axis=2).mean() / (3 * KT / moved) - 1) < 0.03
+    expected = 2 * KT / SP * (t + tau * np.expm1(-t / tau))
     assert abs((dx**2).mean() / expected - 1) < 0.03
     assert np.abs((dx**2).mean(axis=(0, 1)) / expected - 1).max() < 0.06
     assert abs(dx.mean()) < 4 * np.sqrt(expected / dx.size)

@@ -26,6 +26,7 @@ Description
     kick    (0 0 0);        // [N s], in every time step
     heatKick 0;             // [J], likewise
     kT      4e-21;          // [J]
+    addedMass 0;            // [kg]
     surfaceX (0 0 0);       // at time 0, moves with surfaceSpeed surfaceN
     surfaceN (1 0 0);
     surfaceSpeed 0;         // [m/s]
@@ -191,6 +192,7 @@ int main(int argc, char *argv[])
         fill("Tf", b.Tf, scalar(0));
         fill("Qu", b.Qu, scalar(0));
         fill("kT", b.kT, scalar(0));
+        fill("addedMass", b.addedMass, scalar(0));
         fill("surfaceX", b.surfaceX, vector(Zero));
         fill("surfaceN", b.surfaceN, vector(Zero));
         fill("surfaceSpeed", b.surfaceSpeed, scalar(0));

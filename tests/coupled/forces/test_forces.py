@@ -258,6 +258,50 @@ def test_restart_keeps_past_and_eddies(uninterrupted, tmp_path, before, after):
     same_particles(uninterrupted, case, 0.02, 1e-9)
 
 
+def test_past_goes_to_a_rank_without_particles(tmp_path):
+    """One sphere shot from the middle of one rank into the other, which has seen none: two ranks as one, to 1e-9."""
+    dt, n, tables = 5e-4, 10, []
+    for ranks in (1, 2):
+        case = still(tmp_path / str(ranks), 8 * RHO, dt, n, {
+            'history': {'type': 'history', 'kernel': 'Basset', 'window': 5 * dt, 'intervals': 8}},
+            columns={'x': 2e-3, 'vx': 1.5}, upper=(8e-3, 4e-3, 4e-3), cells=(4, 2, 2))
+        if ranks > 1:
+            case.decompose(ranks)
+        run(case, ranks)
+        tables.append(case.table(n * dt))
+    assert tables[0]['x'][0] > 4.5e-3
+    for names, scale in (('vx vy vz', 1.0), ('x y z', 8e-3)):
+        assert np.abs(vectors(tables[0], names) - vectors(tables[1], names)).max() < 1e-9 * scale
+
+
+@pytest.mark.parametrize('ranks', [1, 2])
+def test_past_begins_with_a_particle_let_in(tmp_path, ranks):
+    """A run without particles at first: of those let in at 100/s each keeps its own past, as a restart every step does,
+    to 1e-9."""
+    dt, n = 5e-3, 8
+    ends = []
+    for restarts in (False, True):
+        case = still(tmp_path / str(restarts), 8 * RHO, dt, n, {
+            'history': {'type': 'history', 'kernel': 'Basset', 'window': 5 * dt, 'intervals': 8}},
+            cyclic='xy', upper=(8e-3, 4e-3, 4e-3), cells=(4, 2, 2), mesh=False)
+        case.properties['insertion'] = {'rain': {
+            'type': 'rate', 'material': 'glass', 'numberRate': 100, 'start': 1.5 * dt,
+            'diameter': {'type': 'mono', 'value': 2e-4},
+            'region': {'type': 'box', 'min': (1e-3, 1e-3, 1e-3), 'max': (7e-3, 3e-3, 3e-3)}}}
+        case.mesh()
+        if ranks > 1:
+            case.decompose(ranks)
+        for k in range(n // 2, n + 1, n // 2) if restarts else [n]:
+            case.control.update(endTime=k * dt)
+            case.write_dict('system/controlDict', case.control)
+            run(case, ranks)
+        ends.append(case.table(n * dt))
+    assert len(ends[0]) > 2
+    assert np.array_equal(ends[0]['id'], ends[1]['id'])
+    for names, scale in (('vx vy vz', 0.1), ('x y z', 4e-3)):
+        assert np.abs(vectors(ends[0], names) - vectors(ends[1], names)).max() < 1e-9 * scale
+
+
 def test_past_and_eddies_matter(uninterrupted, tmp_path):
     """Without its past, or with other eddies, the same case ends elsewhere: what the tests above compare."""
     for name in ('past', 'eddies'):

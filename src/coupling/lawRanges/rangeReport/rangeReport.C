@@ -43,7 +43,7 @@ void Foam::dew::rangeReport::print()
 {
     for (law& l : laws_)
     {
-        const label sum = returnReduce(l.sum, sumOp<label>());
+        const int64_t sum = returnReduce(l.sum, sumOp<int64_t>());
         if (sum == 0)
         {
             continue;

@@ -121,6 +121,8 @@ void Foam::dew::particleForces::historyForce::remember
       : 0;
     vector E(exp(-h*perWindow)*get(m + tail));
 
+    // A jump at the end of the window is out of it, whatever the round-off
+    const scalar end = (1 - 1e-9)*window_;
     scalar age = h;
     label n = 0;
     for (label k = 0; k < label(m[used]); k++)
@@ -128,7 +130,7 @@ void Foam::dew::particleForces::historyForce::remember
         const scalar* one = m + past + 4*k;
         const scalar length = one[3];
 
-        if (age + 0.5*length < window_)
+        if (age + 0.5*length < end)
         {
             n++;
         }

@@ -58,7 +58,7 @@ public:
     void update() override
     {
         width_ = widths();
-        widest_ = max(width_);
+        widest_ = gMax(width_);
     }
 
     //- The ball, at least as wide as the way to a corner
