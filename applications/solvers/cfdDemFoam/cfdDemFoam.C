@@ -132,6 +132,7 @@ int main(int argc, char *argv[])
             {
                 transport.correct();
                 turbulence->correct();
+                #include "carrierTurbulence.H"
             }
         }
 
