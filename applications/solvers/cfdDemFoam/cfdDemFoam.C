@@ -137,6 +137,7 @@ int main(int argc, char *argv[])
             {
                 transport.correct();
                 turbulence->correct();
+                #include "carrierTurbulence.H"
             }
         }
 

@@ -210,7 +210,7 @@ def turbulent(path, n_steps, kernel='Basset', **control):
     case.mesh()
     case.write_dict('constant/turbulenceProperties', {
         'simulationType': 'RAS', 'RAS': {'RASModel': 'kEpsilon', 'turbulence': True, 'printCoeffs': False}})
-    for name, dimensions, value in (('k', '[0 2 -2 0 0 0 0]', 1e-3), ('epsilon', '[0 2 -3 0 0 0 0]', 4e-2),
+    for name, dimensions, value in (('k', '[0 2 -2 0 0 0 0]', 1e-3), ('epsilon', '[0 2 -3 0 0 0 0]', 0.5),
                                     ('nut', '[0 2 -1 0 0 0 0]', 0)):
         case.write_dict(f'0/{name}', {'dimensions': dimensions, 'internalField': f'uniform {value}',
                                       'boundaryField': {'".*"': {'type': 'cyclic'}}}, 'volScalarField')
