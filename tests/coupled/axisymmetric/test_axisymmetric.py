@@ -467,8 +467,8 @@ def test_cloud_in_the_wedge_and_points_in_space(tmp_path, ranks):
 
 def test_own_disturbance_is_that_of_the_ring(tmp_path):
     """One cell, in which nothing holds the fluid: it gains F t/(rho V) of the whole ring, 0.3 % of the slip, and what is
-    taken off is that, so that the particle slows down as in a fluid at rest, to 5e-4 of the change (a relaxation time of
-    50 times the run)."""
+    taken off is that, so that the particle slows down as in a fluid at rest. Within a step the fluid's answer still reaches
+    the particle, by the kick: a quarter of the 0.3 %, with four steps."""
     rho, nu, d, v0, dt, n = 10.0, 1e-5, 1e-3, 5e-4, 5e-3, 4
     case = WedgeCase(tmp_path, cells=(1, 1), open_ends=('bottom', 'top'), rho=rho, nu=nu, gravity=(0, 0, 0), deltaT=dt,
                      endTime=n * dt, writeInterval=n, tolerance=1e-14)
@@ -483,7 +483,7 @@ def test_own_disturbance_is_that_of_the_ring(tmp_path):
     change = case.table(n * dt)['vz'][0] / v0 - 1
     expected = np.expm1(-3 * np.pi * rho * nu * d * n * dt / (2500.0 * sphere(d)))
     assert case.field('U', case.times()[-1]).max() > 1e-3 * v0
-    assert abs(change / expected - 1) < 5e-4
+    assert abs(change / expected - 1) < 3e-3 / n
 
 
 def test_dry_run_tells_of_the_wedge(tmp_path):
