@@ -211,6 +211,10 @@ void Foam::dew::particleExchange::update()
     }
     smoothing_->update();
     findMap();
+    if (mesh_.topoChanging())
+    {
+        alphac_.update(state_, ledger_);
+    }
 }
 
 
