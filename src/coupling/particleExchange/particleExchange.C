@@ -210,9 +210,9 @@ void Foam::dew::particleExchange::update()
             << abort(FatalError);
     }
     smoothing_->update();
-    findMap();
     if (mesh_.topoChanging())
     {
+        findMap();
         alphac_.update(state_, ledger_);
     }
 }
