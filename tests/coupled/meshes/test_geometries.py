@@ -58,18 +58,19 @@ def test_plane(tmp_path, void, smooth):
     assert field.min() < 0.999
     # Of points on a face one side has all: no mirror
     if void not in ('particleCentre', 'divided'):
-        assert np.abs(field - field[:, ::-1]).max() < 1e-9
+        # What the fluid's solvers leave moves the spheres
+        assert np.abs(field - field[:, ::-1]).max() < 1e-6
 
 
 @pytest.mark.parametrize('smooth', SMOOTH)
 @pytest.mark.parametrize('void', MODELS)
 def test_cyclic(tmp_path, void, smooth):
     """A sphere just inside each face of a cyclic pair, and its copy half a period on: the same alphac there."""
-    case = FluidCase(tmp_path, upper=(8e-3,)*3, cells=(8,)*3, cyclic='xyz')
-    x = np.array([[1e-4, 7.8e-3, 2.3e-3], [4.1e-3, 7.8e-3, 2.3e-3]])
+    case = FluidCase(tmp_path, upper=(10e-3,)*3, cells=(8,)*3, cyclic='xyz', tolerance=1e-12)
+    x = np.array([[1e-4, 9.8e-3, 2.3e-3], [5.1e-3, 9.8e-3, 2.3e-3]])
     field = held(case, x, void, smooth).reshape(8, 8, 8)
     assert field.min() < 0.999
-    assert np.abs(field - np.roll(field, 4, axis=2)).max() < 1e-10
+    assert np.abs(field - np.roll(field, 4, axis=2)).max() < 1e-8
 
 
 @pytest.mark.parametrize('smooth', SMOOTH)
