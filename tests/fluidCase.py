@@ -62,8 +62,9 @@ class FluidCase(Case):
             'snGradSchemes': {'default': 'corrected'}})
         linear = {'solver': 'PBiCGStab', 'preconditioner': 'DILU', 'tolerance': self.tolerance, 'relTol': 0}
         pressure = {'solver': 'PCG', 'preconditioner': 'DIC', 'tolerance': self.tolerance, 'relTol': 0}
+        scalars = ''.join('|' + name for name in self.fields if name not in DIMENSIONS)
         self.write_dict('system/fvSolution', {
-            'solvers': {'"p.*"': pressure, '"(U|T|k|epsilon).*"': linear},
+            'solvers': {'"p.*"': pressure, f'"(U|T|k|epsilon{scalars}).*"': linear},
             'PIMPLE': {'nOuterCorrectors': self.outer, 'nCorrectors': self.pressure_correctors,
                        'nNonOrthogonalCorrectors': 0, 'pRefCell': 0, 'pRefValue': 0}})
         self.write_dict('constant/transportProperties', self.transport)
@@ -72,9 +73,9 @@ class FluidCase(Case):
             self.write_field(name, value)
 
     def write_field(self, name, value):
-        """A uniform field, or one of a list of values; walls: no slip, zero gradient of p and T."""
-        default = {'U': {'type': 'noSlip'}, 'p': {'type': 'fixedFluxPressure', 'value': 'uniform 0'},
-                   'T': {'type': 'zeroGradient'}}[name]
+        """A uniform field, or one of a list of values; walls: no slip, zero gradient of p and all others [mol/m3]."""
+        default = {'U': {'type': 'noSlip'}, 'p': {'type': 'fixedFluxPressure', 'value': 'uniform 0'}}.get(
+            name, {'type': 'zeroGradient'})
         boundary = {}
         for patch in SIDES:
             boundary[patch] = {'type': 'cyclic'} if patch[0] in self.cyclic else default
@@ -84,7 +85,7 @@ class FluidCase(Case):
             internal = f'uniform {value}'
         else:
             internal = f'nonuniform List<{"vector" if name == "U" else "scalar"}> {len(value)} {foam_value(value)}'
-        self.write_dict(f'0/{name}', {'dimensions': DIMENSIONS[name], 'internalField': internal,
+        self.write_dict(f'0/{name}', {'dimensions': DIMENSIONS.get(name, '[0 -3 0 0 1 0 0]'), 'internalField': internal,
                                       'boundaryField': boundary}, kind)
 
     def decompose(self, ranks, method='simple'):
@@ -111,9 +112,11 @@ class FluidCase(Case):
         return np.concatenate(parts)[np.argsort(np.concatenate(cells))]
 
     def ledger(self, start='0'):
-        """The balance of every step, a structured array with the columns LEDGER."""
-        rows = np.loadtxt(self.path / 'postProcessing' / 'exchange' / start / 'ledger.dat', ndmin=2)
-        return np.rec.fromarrays(rows.T, names=LEDGER)
+        """The balance of every step, a structured array with the columns LEDGER, then those of scalars."""
+        path = self.path / 'postProcessing' / 'exchange' / start / 'ledger.dat'
+        rows = np.loadtxt(path, ndmin=2)
+        scalars = path.read_text().split('\n')[0].split()[len(LEDGER) + 1:]
+        return np.rec.fromarrays(rows.T, names=LEDGER + scalars)
 
     def field(self, name, time, folder='.'):
         """Internal values of an ascii field."""

@@ -22,11 +22,14 @@ Description
         d(alphac T)/dt + div(alphac U T)
           = div(alphac D grad T) + (Q + Qp (T^n - T))/(rho Cp)
 
+        d(alphac c)/dt + div(alphac U c)
+          = div(alphac (Dc + nut/Sct) grad c) + F + Sp (c^n - c)
+
     with beta = alphac (model A) or 1 (model B), and D = nu/Pr + nut/Prt. The
     pressure p is the dynamic one over the density, without rho g.x: gravity
     acts on the fluid through it, and on the particles as their weight and
     their buoyancy (pressureGradientForce). Energy is solved where there is a
-    field T.
+    field T, and a scalar c for each entry of 'scalars' (scalarExchange).
 
 Usage
     \verbatim
@@ -40,6 +43,7 @@ Usage
 #include "dynamicFvMesh.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "fvOptions.H"
+#include "IOobjectList.H"
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "pimpleControl.H"
 #include "reverseLinear.H"
@@ -129,6 +133,7 @@ int main(int argc, char *argv[])
             {
                 #include "TEqn.H"
             }
+            #include "scalarEqns.H"
 
             if (pimple.turbCorr())
             {

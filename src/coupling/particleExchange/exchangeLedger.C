@@ -80,6 +80,14 @@ void Foam::dew::exchangeLedger::print() const
     }
     Info<< endl;
 
+    for (const amounts& s : scalars)
+    {
+        Info<< "    " << s.name << ": in particles " << digits(s.held).c_str()
+            << ", to particles " << digits(s.received).c_str()
+            << ", unbalanced "
+            << relative(mag(s.received - s.lost), s.scale).c_str() << endl;
+    }
+
     if (clipped > 0)
     {
         Info<< "    clipped by alphacMin: " << digits(clipped).c_str()
@@ -124,7 +132,14 @@ void Foam::dew::exchangeLedger::write()
                  : "received.x received.y received.z lost.x lost.y lost.z"
                )
             << " scale"
-            << " heatReceived heatLost heatScale lagging" << endl;
+            << " heatReceived heatLost heatScale lagging";
+        for (const amounts& s : scalars)
+        {
+            file_()
+                << ' ' << s.name << ".held " << s.name << ".received "
+                << s.name << ".lost " << s.name << ".scale";
+        }
+        file_() << endl;
     }
     if (file_)
     {
@@ -134,7 +149,13 @@ void Foam::dew::exchangeLedger::write()
             << received.x() << ' ' << received.y() << ' ' << received.z()
             << ' ' << lost.x() << ' ' << lost.y() << ' ' << lost.z() << ' '
             << scale << ' ' << heatReceived << ' ' << heatLost << ' '
-            << heatScale << ' ' << lagging << nl;
+            << heatScale << ' ' << lagging;
+        for (const amounts& s : scalars)
+        {
+            os  << ' ' << s.held << ' ' << s.received << ' ' << s.lost << ' '
+                << s.scale;
+        }
+        os << nl;
         os.flush();
     }
 }

@@ -78,7 +78,7 @@ Foam::dew::particleExchange::particleExchange
             "model", "voidFraction", "alphacMin", "alphacTime", "smoothing",
             "interpolation", "carrierVelocity", "seenVelocity", "momentum",
             "heat", "forces",
-            "heatTransfer"
+            "heatTransfer", "scalars"
         }
     );
 
@@ -125,6 +125,18 @@ Foam::dew::particleExchange::particleExchange
     }
     ledger_.thermal = bool(heat_);
 
+    scalars_ =
+        scalarExchange::all(dict_, fluid_, map_, smoothing_(), state_);
+    const label nLaws = needs_.memory;
+    needs_.memory += scalarExchange::N_VALUES*scalars_.size();
+    forAll(scalars_, k)
+    {
+        scalars_[k].place
+        (
+            nLaws + scalarExchange::N_VALUES*k, needs_.memory
+        );
+    }
+
     for (const particleForce& law : laws_.laws())
     {
         ranges_.add(law.type(), law.ranges());
@@ -167,8 +179,9 @@ Foam::dew::particleExchange::particleExchange
     }
 
     findMap();
-    alphac_.start(state_, readKicks(), ledger_);
-    readMemory();
+    const bool goesOn = readKicks();
+    alphac_.start(state_, goesOn, ledger_);
+    readMemory(goesOn);
 }
 
 
@@ -192,6 +205,10 @@ void Foam::dew::particleExchange::updateKicks() const
         if (heat_)
         {
             heat_->kicks(heatKick_);
+        }
+        for (const scalarExchange& s : scalars_)
+        {
+            s.updateKicks();
         }
         kicked_ = true;
     }
@@ -230,14 +247,22 @@ const Foam::dew::bulkForces& Foam::dew::particleExchange::forces()
         {
             gatherSurfaces();
         }
+        if (needs().spread)
+        {
+            gatherSpread();
+        }
         if (needs().motion())
         {
             gatherMotion(gradU());
         }
+        for (scalarExchange& s : scalars_)
+        {
+            s.gather(linear_);
+        }
     }
+    updateKicks();
     evaluateLaws();
 
-    updateKicks();
     forces_.kick = kick_;
     if (heat_)
     {
@@ -265,6 +290,10 @@ void Foam::dew::particleExchange::correct()
     {
         heat_->correct(state_.heat, state_.heatSp);
     }
+    for (scalarExchange& s : scalars_)
+    {
+        s.correct(memory());
+    }
     keepLastForce();
     kicked_ = false;
 
@@ -275,7 +304,8 @@ void Foam::dew::particleExchange::correct()
 void Foam::dew::particleExchange::keepLastForce()
 {
     lastForce_.setSize(needs().lastForce ? state_.size() : 0);
-    const scalar perStep = 1/mesh_.time().deltaTValue();
+    // A fluid that does not feel it is not disturbed
+    const scalar perStep = twoWay()/mesh_.time().deltaTValue();
 
     forAll(lastForce_, i)
     {
@@ -359,12 +389,21 @@ void Foam::dew::particleExchange::report()
         reduce(ledger_.heatScale, sumOp<scalar>());
         ledger_.heatLost = heat_->source().lost();
     }
+    ledger_.scalars.clear();
+    for (const scalarExchange& s : scalars_)
+    {
+        ledger_.scalars.append(s.balance(memory()));
+    }
 
     ledger_.print();
     ledger_.write();
     if (mesh_.time().writeTime())
     {
         ranges_.print();
+        for (scalarExchange& s : scalars_)
+        {
+            s.printRanges();
+        }
     }
 
     exchangeTime_ += clock.elapsedTime();

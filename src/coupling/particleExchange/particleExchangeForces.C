@@ -128,6 +128,10 @@ void Foam::dew::particleExchange::evaluateLaws()
                 Qp = heatTransfer_->Qp(p, c);
             }
         }
+        for (scalarExchange& s : scalars_)
+        {
+            s.evolve(i, p, c, forces_.memory);
+        }
 
         forces_.Su[i] = f.Su;
         forces_.Sn[i] = f.Sn;
@@ -176,5 +180,9 @@ void Foam::dew::particleExchange::checkFinite() const
     if (fluid_.T)
     {
         findNotFinite(*fluid_.T);
+    }
+    for (const scalarExchange& s : scalars_)
+    {
+        findNotFinite(s.field());
     }
 }

@@ -159,6 +159,37 @@ void Foam::dew::particleExchange::gatherMotion(const tensorField& gradU)
 }
 
 
+void Foam::dew::particleExchange::gatherSpread()
+{
+    const scalarField& V = mesh_.V();
+
+    const auto sum = [&](const auto& cells, scalar& s)
+    {
+        s = 0;
+        cells([&](const label c, const scalar w) { s += w*w/V[c]; });
+    };
+
+    spread_.setSize(state_.size());
+    UList<scalar>& spread = spread_;
+    spread = 0;
+
+    map_.gather
+    (
+        spread,
+        [&](const label, const point&, const auto& cells, scalar& s)
+        {
+            sum(cells, s);
+        },
+        sum,
+        [](scalar& s, const scalar other) { s += other; }
+    );
+    for (scalar& s : spread_)
+    {
+        s = s > 0 ? 1/s : 0;
+    }
+}
+
+
 Foam::dew::carrier Foam::dew::particleExchange::around
 (
     const label i,
@@ -170,6 +201,10 @@ Foam::dew::carrier Foam::dew::particleExchange::around
     carrier c(here_[i]);
     c.g = g;
     c.deltaT = mesh_.time().deltaTValue();
+    if (needs().spread)
+    {
+        c.spread = spread_[i];
+    }
     if (needs().surface)
     {
         c.surface = surfaces_[i];

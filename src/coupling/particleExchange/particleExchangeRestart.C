@@ -119,11 +119,16 @@ bool Foam::dew::particleExchange::readKicks()
 }
 
 
-void Foam::dew::particleExchange::readMemory()
+void Foam::dew::particleExchange::readMemory(const bool goesOn)
 {
-    const label n = state_.size(), nMemory = needs().memory;
-    memory_.setSize(nMemory*n, scalar(0));
+    const label n = state_.size(), nMemory = nLawMemory();
+    memory_.setSize(needs().memory*n, scalar(0));
     lastForce_.setSize(needs().lastForce ? n : 0, vector::zero);
+
+    for (scalarExchange& s : scalars_)
+    {
+        s.read(restartToRead("scalar." + s.name()), goesOn, memory_);
+    }
 
     const label nValues = nMemory + (needs().lastForce ? 3 : 0);
     const fileName path(restartToRead("laws"));
@@ -142,7 +147,7 @@ void Foam::dew::particleExchange::readMemory()
     for (label i = 0; i < n; i++)
     {
         const scalar* v = values.cdata() + nValues*i;
-        std::copy(v, v + nMemory, memory_.data() + nMemory*i);
+        std::copy(v, v + nMemory, memory_.data() + needs().memory*i);
         if (needs().lastForce)
         {
             v += nMemory;
@@ -154,7 +159,12 @@ void Foam::dew::particleExchange::readMemory()
 
 void Foam::dew::particleExchange::writeMemory() const
 {
-    const label nMemory = needs().memory;
+    for (const scalarExchange& s : scalars_)
+    {
+        s.write(restartFile("scalar." + s.name()), memory());
+    }
+
+    const label nMemory = nLawMemory();
     const label nValues = nMemory + (needs().lastForce ? 3 : 0);
     if (!nValues)
     {
@@ -165,7 +175,7 @@ void Foam::dew::particleExchange::writeMemory() const
     for (label i = 0; i < state_.size(); i++)
     {
         scalar* v = values.data() + nValues*i;
-        const scalar* m = memory().cdata() + nMemory*i;
+        const scalar* m = memory().cdata() + needs().memory*i;
         v = std::copy(m, m + nMemory, v);
         for (direction k = 0; needs().lastForce && k < 3; k++)
         {

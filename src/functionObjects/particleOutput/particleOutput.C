@@ -8,6 +8,7 @@
 #include "clockTime.H"
 #include "IOField.H"
 #include "OSspecific.H"
+#include "particleExchange.H"
 #include "passiveParticleCloud.H"
 #include "IOPosition.H"
 #include "polyMesh.H"
@@ -85,6 +86,24 @@ Foam::dew::particleOutput::particleOutput
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+std::vector<Foam::dew::vtkSeries::column>
+Foam::dew::particleOutput::scalars() const
+{
+    std::vector<vtkSeries::column> result;
+    const auto* exchange =
+        mesh_.findObject<particleExchange>("particleExchange");
+
+    if (exchange)
+    {
+        for (const scalarExchange& s : exchange->scalars())
+        {
+            result.push_back({s.name(), exchange->values(s)});
+        }
+    }
+    return result;
+}
+
 
 void Foam::dew::particleOutput::writeCloud
 (
@@ -181,6 +200,10 @@ void Foam::dew::particleOutput::writeCloud
     {
         write("T", s.T);
     }
+    for (const vtkSeries::column& c : scalars())
+    {
+        write(c.name, c.values);
+    }
 }
 
 
@@ -193,6 +216,7 @@ void Foam::dew::particleOutput::writeCsv() const
     );
     const particleState& s = particles_.state();
     const wordList& names = particles_.materialNames();
+    const std::vector<vtkSeries::column> further(scalars());
 
     for (label rank = 0; rank < Pstream::nProcs(); rank++)
     {
@@ -208,8 +232,12 @@ void Foam::dew::particleOutput::writeCsv() const
             if (rank == 0)
             {
                 os  << "id,x,y,z,d,vx,vy,vz,wx,wy,wz"
-                    << (s.thermal ? ",T" : "")
-                    << (names.size() ? ",material" : "") << '\n';
+                    << (s.thermal ? ",T" : "");
+                for (const vtkSeries::column& c : further)
+                {
+                    os << ',' << c.name.c_str();
+                }
+                os << (names.size() ? ",material" : "") << '\n';
             }
 
             for (label i = 0; i < s.size(); i++)
@@ -221,6 +249,10 @@ void Foam::dew::particleOutput::writeCsv() const
                     << ',' << v.x() << ',' << v.y() << ',' << v.z()
                     << ',' << w.x() << ',' << w.y() << ',' << w.z();
                 if (s.thermal) os << ',' << s.T[i];
+                for (const vtkSeries::column& c : further)
+                {
+                    os << ',' << c.values[i];
+                }
                 if (names.size()) os << ',' << names[s.type[i]].c_str();
                 os << '\n';
             }
@@ -238,7 +270,7 @@ void Foam::dew::particleOutput::writeStart() const
 {
     if (vtk_)
     {
-        series_.write(mesh_.time(), particles_.state());
+        series_.write(mesh_.time(), particles_.state(), scalars());
     }
 }
 
@@ -259,7 +291,7 @@ bool Foam::dew::particleOutput::writeObject
     }
     if (vtk_)
     {
-        series_.write(mesh_.time(), particles_.state());
+        series_.write(mesh_.time(), particles_.state(), scalars());
     }
     if (csv_)
     {

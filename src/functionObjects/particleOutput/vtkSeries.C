@@ -97,7 +97,12 @@ void Foam::dew::vtkSeries::resume(const scalar time)
 }
 
 
-void Foam::dew::vtkSeries::write(const Time& time, const particleState& s)
+void Foam::dew::vtkSeries::write
+(
+    const Time& time,
+    const particleState& s,
+    const std::vector<column>& further
+)
 {
     const vtkIdType n = s.size();
 
@@ -136,6 +141,10 @@ void Foam::dew::vtkSeries::write(const Time& time, const particleState& s)
         if (s.thermal)
         {
             addArray<vtkDoubleArray>(values, "T", s.T, 1);
+        }
+        for (const column& c : further)
+        {
+            addArray<vtkDoubleArray>(values, c.name.c_str(), c.values, 1);
         }
     }
 

@@ -38,8 +38,12 @@ Foam::scalarField Foam::dew::cellKernel::widths() const
         {
             forAll(patch, i)
             {
-                width[patch.faceCells()[i]] =
-                    std::sqrt(mag(patch.faceAreas()[i]));
+                // On an axis they have none
+                const scalar area = mag(patch.faceAreas()[i]);
+                if (area > VSMALL)
+                {
+                    width[patch.faceCells()[i]] = std::sqrt(area);
+                }
             }
         }
     }

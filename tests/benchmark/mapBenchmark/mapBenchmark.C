@@ -16,7 +16,8 @@ Description
         scatter; bytes of the map a particle; bytes sent a particle and step
 
     Arguments: number of particles of all ranks, diameter over cell width,
-    void fraction model, steps.
+    void fraction model, steps. A Gaussian has a standard deviation of one
+    diameter, a bigParticle 1.5 times its size.
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
@@ -50,7 +51,16 @@ int main(int argc, char *argv[])
     const label n = args.get<label>(1);
     const scalar ratio = args.get<scalar>(2);
     dictionary dict;
-    dict.add("type", args.get<word>(3));
+    const word model(args.get<word>(3));
+    dict.add("type", model);
+    if (model == "Gaussian")
+    {
+        dict.add("diameters", 1);
+    }
+    if (model == "bigParticle")
+    {
+        dict.add("scale", 1.5);
+    }
     const label nSteps = args.get<label>(4);
 
     const boundBox box(mesh.points(), true);

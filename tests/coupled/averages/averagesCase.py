@@ -29,7 +29,8 @@ def build(path, particles, fields, void='particleCentre', cyclic='xyz', average=
     entries = {'type': 'particleAverages', 'libs': '(dewFunctionObjects)', 'fields': fields,
                'writeControl': 'writeTime', **(average or {})}
     case = FluidCase(path, cyclic=cyclic,
-                     **{'functions': {'phase': entries}, 'gravity': (0, 0, 0), 'writeFormat': 'ascii', 'writePrecision': 17, **control})
+                     **{'functions': {'phase': entries}, 'gravity': (0, 0, 0), 'writeFormat': 'ascii',
+                        'writePrecision': 17, **control})
     case.particles(particles)
     case.properties = {
         'engine': 'liggghts', 'heat': heat, 'materials': materials or {'glass': GLASS, 'heavy': HEAVY},

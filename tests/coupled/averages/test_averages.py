@@ -89,9 +89,11 @@ def cloud(path, ranks=1, n_steps=1, average=None, fields=ALL, seed=3, **control)
     rng = np.random.default_rng(seed)
     x = (np.array(list(np.ndindex(8, 8, 8))) + 0.5) * 5e-4 + rng.uniform(-4e-6, 4e-6, (512, 3))
     v = rng.uniform(-0.1, 0.1, x.shape)
-    return build(path, columns(x, d=rng.uniform(4.95e-4, 5.02e-4, len(x)), vx=v[:, 0], vy=v[:, 1], vz=v[:, 2]), fields,
+    write_floor(path, L)
+    return build(path, columns(x, d=rng.uniform(4.95e-4, 5.02e-4, len(x)), vx=v[:, 0], vy=v[:, 1], vz=v[:, 2],
+                                  T=300), fields,
                  'divided', cyclic='xy', cells=(4, 4, 4), average=average, ranks=ranks, gravity=(0, 0, -9.81),
-                 walls={'floor': {'type': 'plane', 'point': (0, 0, 0), 'normal': (0, 0, 1), 'material': 'glass'},
+                 walls={'floor': {'type': 'STL', 'file': quoted('constant/floor.stl'), 'material': 'glass'},
                         'lid': {'type': 'patch', 'patches': '(zMax)', 'material': 'glass'}},
                  **{'deltaT': 1e-5, 'endTime': n_steps * 1e-5, 'writeInterval': 1, **control})
 
@@ -126,12 +128,17 @@ def pairs(rows):
     return (close.sum() - len(rows)) // 2
 
 
-def test_looking_changes_nothing(tmp_path):
+@pytest.mark.parametrize('more', [{}, {'lubrication': {'viscosity': 1e-3, 'minGap': 1e-8, 'maxGap': 2e-5}}],
+                         ids=['contacts', 'lubrication'])
+def test_looking_changes_nothing(tmp_path, more):
     """A run that asks for contacts at every sub-step ends with the same bytes of restart as one that does not, also
-    with friction, walls of both kinds and heat."""
+    with friction, walls of both kinds, heat, and laws of our own that look at contacts."""
     digests = []
     for name, fields in (('without', ('alpha.particles',)), ('with', ALL)):
-        case = cloud(tmp_path / name, n_steps=30, fields=fields, writeInterval=30)
+        case = cloud(tmp_path / name, n_steps=30, fields=fields, writeInterval=30, heat=True)
+        case.properties.update(more)
+        case.properties['walls']['floor']['T'] = 350
+        case.write_dict('constant/particleProperties', case.properties)
         run(case)
         digests.append({k: v for k, v in case.digests().items() if 'uniform/particles/liggghts' in k or 'csv' in k})
     assert len(digests[0]) >= 2 and digests[0] == digests[1]
@@ -170,14 +177,25 @@ def test_simple_cubic_packing(tmp_path):
     assert np.allclose(cells(case, 'collisionalStress'), expected, rtol=1e-6, atol=1e-6 * pressure)
 
 
-@pytest.mark.parametrize('floor', ['plane', 'patch'])
+def write_floor(path, size):
+    """Two triangles that reach beyond a square."""
+    a, b = -0.2 * size, 1.3 * size
+    triangles = [((a, a), (b, a), (b, b)), ((a, a), (b, b), (a, b))]
+    text = ''.join('facet normal 0 0 1\n outer loop\n' + ''.join(f'  vertex {x} {y} 0\n' for x, y in triangle)
+                   + ' endloop\nendfacet\n' for triangle in triangles)
+    (path / 'constant').mkdir(parents=True)
+    (path / 'constant/floor.stl').write_text(f'solid floor\n{text}endsolid floor\n')
+
+
+@pytest.mark.parametrize('floor', ['plane', 'triangles'])
 def test_column_at_rest(tmp_path, floor):
     """Six grains on each other, two in a cell: stress times area is the weight above the middle of each cell, with the
     contact with the floor, a primitive wall of the engine or one of triangles."""
     d, n = 1e-3, 6
     wall = {'plane': {'type': 'plane', 'point': (0, 0, 0), 'normal': (0, 0, 1)},
-            'patch': {'type': 'patch', 'patches': '(zMin)'}}[floor]
-    x = np.array([[1e-3, 1e-3, (k + 0.5) * d] for k in range(n)])
+            'triangles': {'type': 'STL', 'file': quoted('constant/floor.stl')}}[floor]
+    x = np.array([[0.7e-3, 1.1e-3, (k + 0.5) * d] for k in range(n)])
+    write_floor(tmp_path, 2e-3)
     case = build(tmp_path, columns(x, d=d), ('collisionalStress', 'contactNumber'), cyclic='xy', cells=(1, 1, 4),
                  upper=(2e-3, 2e-3, 8e-3), gravity=(0, 0, -9.81), walls={'floor': {**wall, 'material': 'glass'}},
                  restitution=0.3, deltaT=1e-3, endTime=0.1, writeInterval=100)

@@ -162,6 +162,49 @@ def test_volume_is_kept_and_shared_by_radius(tmp_path, void, ranks, cut):
     assert (unsure == 0).sum() > 10
 
 
+@pytest.mark.parametrize('ranks, cut', [(1, ''), (2, 'r'), (2, 'z')])
+@pytest.mark.parametrize('void', ['trilinear', 'Gaussian', 'bigParticle'])
+def test_smooth_models_share_in_the_middle_plane(tmp_path, void, ranks, cut):
+    """Shares by the models' formulas with distances in the middle plane, at any azimuth, to 1e-12 of the fullest; with
+    the cells' volumes as weights for the kernels, without for the box."""
+    case = WedgeCase(tmp_path)
+    case.mesh()
+    if ranks > 1:
+        case.decompose(ranks, cut)
+    x, d = awkward()
+    d = np.maximum(d, 1e-4)
+    entries = {'trilinear': {}, 'Gaussian': {'width': 5e-4}, 'bigParticle': {'scale': 6}}[void]
+    cells, particles, outside = case.map(x, d, ranks, voidFraction={'type': void, **entries})
+    assert outside == 0
+    assert np.abs(particles['weights'] - 1).max() < 1e-13
+
+    (nr, nz), expected = case.cells, np.zeros(len(cells))
+    dr, dz = R / nr, H / nz
+    h = np.sqrt(dr * dz)
+    for centre, diameter in zip(x, d):
+        r, z = np.hypot(*centre[:2]), centre[2]
+        away = np.hypot(cells['x'] - r * C, cells['z'] - z)
+        if void == 'trilinear':
+            i, k = (cells['x'] / C / dr).astype(int), (cells['z'] / dz).astype(int)
+            w = np.maximum(1 - np.abs(r / dr - i - 0.5), 0) * np.maximum(1 - np.abs(z / dz - k - 0.5), 0)
+        elif void == 'Gaussian':
+            w = cells['V'] * np.maximum(np.exp(-0.5 * (away / 5e-4)**2) - np.exp(-8), 0)
+        else:
+            w = cells['V'] * np.clip((np.maximum(3 * diameter, np.sqrt(0.75) * h) - away) / h + 0.5, 0, 1)
+        expected += sphere(diameter) * w / w.sum()
+    assert np.abs(RING * cells['solid'] - expected).max() < 1e-12 * expected.max()
+
+
+def test_exact_overlap_with_rings_is_refused(tmp_path):
+    case = WedgeCase(tmp_path)
+    case.mesh()
+    case.write_file('constant/map.csv', 'x,y,z,d\n')
+    case.write_file('constant/testProperties', 'voidFraction { type exactOverlap; }\n')
+    done = case.run('testMap')
+    assert done.code != 0 and done.output.count('FATAL') == 1
+    assert all(words in done.output for words in ('testProperties', 'exactOverlap', 'wedge', 'divided')), done.output
+
+
 @pytest.mark.parametrize('ranks, cut', [(1, ''), (2, 'r')])
 def test_linear_fields_are_exact_in_space(tmp_path, ranks, cut):
     """u_r = a r, u_phi = b r (solid rotation), u_z = c + e z: in space (a x - b y, a y + b x, c + e z), to 1e-12 of

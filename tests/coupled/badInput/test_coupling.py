@@ -68,6 +68,21 @@ REFUSALS = {
     'misspelt in voidFraction': (
         {'coupling/voidFraction/typ': 'divided'}, {}, {},
         ('particleProperties', 'voidFraction', "'typ'", 'Valid entries', 'type')),
+    'divided into no parts': (
+        {'coupling/voidFraction/points': 0}, {}, {}, ('particleProperties', 'voidFraction', "'points'", '0')),
+    'Gaussian without a width': (
+        {'coupling/voidFraction': {'type': 'Gaussian'}}, {}, {},
+        ('particleProperties', 'voidFraction', "'width'", "'diameters'")),
+    # 4 x 2 mm in a mesh of 4 mm
+    'Gaussian wider than the mesh': (
+        {'coupling/voidFraction': {'type': 'Gaussian', 'width': 2e-3}}, {}, {},
+        ('particleProperties', 'voidFraction', "'width' 0.002", '0.008 m', 'below 0.001', 'larger mesh')),
+    'bigParticle smaller than itself': (
+        {'coupling/voidFraction': {'type': 'bigParticle', 'scale': 0.5}}, {}, {},
+        ('particleProperties', 'voidFraction', "'scale'", '0.5')),
+    'bigParticle wider than the mesh': (
+        {'coupling/voidFraction': {'type': 'bigParticle', 'scale': 20}}, {}, {},
+        ('particleProperties', 'voidFraction', "'scale' 20", '0.0065 m', 'smaller')),
     'misspelt in a law': (
         {'coupling/forces/pressure/bouyancy': True}, {}, {},
         ('particleProperties', 'pressure', "'bouyancy'", 'Valid entries', 'buoyancy')),

@@ -243,9 +243,10 @@ int main(int argc, char *argv[])
         Info<< "Time = " << runTime.timeName() << " particles "
             << l.particles << " sub-steps " << l.subSteps
             << " impulse " << l.impulse << " heat " << l.heat
+            << " walls " << l.wallHeat
             << " departed " << l.departed << ' ' << l.departedMass << ' '
             << l.departedVolume << ' ' << l.departedImpulse << ' '
-            << l.departedHeat << " walls " << l.wallHeat << endl;
+            << l.departedHeat << endl;
     }
 
     Info<< "End\n" << endl;

@@ -178,6 +178,23 @@ def test_restart_goes_on_as_if_nothing_had_happened(serial, tmp_path, before, af
     same_state(serial, case, 1e-3, 1e-11 if before == after == 1 else 1e-8, 1, after)
 
 
+def test_restart_of_a_scheme_with_three_time_levels(tmp_path):
+    """backward: 5 steps, a restart, 5 more, as 10 steps, to 1e-11; alphac of the step before is in the restart."""
+    def case_of(name, n_steps):
+        case = cloud(tmp_path / name, n_steps=n_steps, writeInterval=n_steps)
+        path = case.path / 'system/fvSchemes'
+        path.write_text(path.read_text().replace('default Euler', 'default backward'))
+        return case
+
+    whole, case = case_of('whole', 10), case_of('parts', 5)
+    run(whole)
+    run(case)
+    case.control['endTime'] = 1e-3
+    case.write_dict('system/controlDict', case.control)
+    run(case)
+    same_state(whole, case, 1e-3, 1e-11)
+
+
 # --- Symmetries
 
 def test_common_velocity_changes_nothing(tmp_path):

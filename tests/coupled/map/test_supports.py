@@ -14,7 +14,7 @@ from test_map import TIE, MapCase, awkward, by_index, vectors
 MODELS = {
     'trilinear': {'type': 'trilinear'},
     'Gaussian': {'type': 'Gaussian', 'diameters': 1.2},
-    'bigParticle': {'type': 'bigParticle', 'scale': 1.4},
+    'bigParticle': {'type': 'bigParticle', 'scale': 6},
     'exactOverlap': {'type': 'exactOverlap'},
     'divided': {'type': 'divided', 'points': 50}}
 CLOSED = ['trilinear', 'Gaussian', 'bigParticle']
@@ -28,7 +28,8 @@ def weights(model, away, d, h):
     if model == 'Gaussian':
         s = MODELS[model]['diameters'] * d
         return np.where(r < 4 * s, np.exp(-r**2 / (2 * s**2)) - np.exp(-8.0), 0)
-    return np.clip((MODELS[model]['scale'] * d / 2 - r) / np.cbrt(np.prod(h)) + 0.5, 0, 1)
+    width = np.cbrt(np.prod(h))
+    return np.clip((max(MODELS[model]['scale'] * d / 2, np.sqrt(0.75) * width) - r) / width + 0.5, 0, 1)
 
 
 def expected_solid(model, x, d, upper, n, cyclic=''):

@@ -10,7 +10,7 @@ TUTORIALS = ROOT / 'tutorials'
 
 def left(folder, names):
     """What earlier runs have left"""
-    patterns = ['R[0-9]*', '[0-9]*', '*.png', '__pycache__', 'runs']
+    patterns = ['R[0-9]*', '[0-9]*', '*.png', '__pycache__', 'runs', 'run']
     if folder.endswith('ErgunBed'):
         patterns += ['Ergun', 'DiFelice', 'WenYu', 'VTK', 'dem', 'postProcessing', 'log.*', 'polyMesh']
     if folder.endswith('settlingSphere'):
@@ -25,8 +25,10 @@ def fresh(path, name):
 
 @pytest.mark.parametrize('name', ['demFoam/collisions', pytest.param('demFoam/packing', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
+                                  pytest.param('cfdDemFoam/Goldschmidt', marks=pytest.mark.slow),
                                   'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction',
                                   'cfdDemFoam/sphereInWater',
+                                  'cfdDemFoam/packedBedHeat', 'cfdDemFoam/hinderedSettling',
                                   'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):
@@ -57,15 +59,20 @@ def test_validate_notices_a_wrong_restitution(tmp_path):
     # The air conducts 2 % better
     ('hotSphere', 'common/constant/transportProperties', 'kappa           0.026', 'kappa           0.0265'),
     # Spheres that move faster than they should
-    ('voidFraction', 'common/constant/particleProperties', '(0.1 0.2 0.2)', '(0.1 0.2 0.21)')],
-    ids=['settlingSphere', 'hotSphere', 'voidFraction'])
+    ('voidFraction', 'common/constant/particleProperties', '(0.1 0.2 0.2)', '(0.1 0.2 0.21)'),
+    # Spheres heavier by 3 %
+    ('hinderedSettling', 'common/constant/particleProperties', 'density         2000', 'density         2030'),
+    # Gas that flows faster by a tenth
+    ('packedBedHeat', 'bed/0.orig/U', 'uniform (0 0 1)', 'uniform (0 0 1.1)')],
+    ids=['settlingSphere', 'hotSphere', 'voidFraction', 'hinderedSettling', 'packedBedHeat'])
 def test_validate_notices_a_wrong_dictionary(tmp_path, name, file, right, wrong):
     case = fresh(tmp_path / 'case', f'cfdDemFoam/{name}')
     path = case / file
     text = path.read_text()
     assert right in text
     path.write_text(text.replace(right, wrong))
-    only = {'settlingSphere': 'SchillerNaumann', 'hotSphere': 'still', 'voidFraction': 'particleCentre'}[name]
+    only = {'settlingSphere': 'SchillerNaumann', 'hotSphere': 'still', 'voidFraction': 'particleCentre',
+            'hinderedSettling': 'WenYu-0.1', 'packedBedHeat': '2'}[name]
     done = run_command(['./Allrun', only], case, 300)
     assert done.code == 0, done.output[-3000:]
     done = run_command(['./validate'], case, 120)

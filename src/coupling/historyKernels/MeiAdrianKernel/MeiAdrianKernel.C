@@ -109,8 +109,9 @@ Foam::scalar Foam::dew::historyKernels::MeiAdrianKernel::interval
     const scalar h
 ) const
 {
-    // Two points: what is left of the singularity is at the end of a range
-    const scalar t = 0.2113248654051871*h;
-
-    return 0.5*(integral(f, a + t, b + t) + integral(f, a + h - t, b + h - t));
+    return
+        gauss
+        (
+            a, a + h, [&](const scalar s) { return integral(f, s, s + b - a); }
+        )/h;
 }

@@ -7,6 +7,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "userEntry.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -48,9 +50,10 @@ Foam::dew::forceSuSp Foam::dew::particleForces::MagnusLift::force
         return f;
     }
 
+    // high + (1 - high) exp(-e), where high may be far above 1
     const scalar high = 0.45*Re/Rer;
-    const scalar correction =
-        high + (1 - high)*exp(-0.05684*pow(Rer, 0.4)*pow(Re, 0.3));
+    const scalar e = 0.05684*pow(Rer, 0.4)*pow(Re, 0.3);
+    const scalar correction = exp(-e) - high*std::expm1(-e);
 
     f.Su =
         constant::mathematical::pi/8*c.rho*pow3(p.d)*correction

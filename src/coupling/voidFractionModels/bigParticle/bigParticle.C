@@ -61,10 +61,16 @@ public:
         widest_ = max(width_);
     }
 
+    //- The ball, at least as wide as the way to a corner
+    scalar ball(const scalar d, const scalar width) const
+    {
+        return max(0.5*scale_*d, std::sqrt(scalar(0.75))*width);
+    }
+
     // Cells are in from centres that are half a width outside the ball
     scalar reach(const scalar d) const override
     {
-        return 0.5*(scale_*d + widest_);
+        return ball(d, widest_) + 0.5*widest_;
     }
 
     scalar weight
@@ -73,7 +79,8 @@ public:
     ) const override
     {
         const scalar r = mag(across(centre, mesh_.cellCentres()[celli]));
-        const scalar part = (0.5*scale_*d - r)/width_[celli] + 0.5;
+        const scalar h = width_[celli];
+        const scalar part = (ball(d, h) - r)/h + 0.5;
         return mesh_.cellVolumes()[celli]*min(max(part, scalar(0)), scalar(1));
     }
 

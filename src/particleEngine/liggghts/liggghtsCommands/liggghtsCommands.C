@@ -276,7 +276,7 @@ Foam::scalar Foam::dew::liggghtsCommands::overdampedTimeStep
 }
 
 
-void Foam::dew::liggghtsCommands::begin()
+void Foam::dew::liggghtsCommands::begin(const vector& g)
 {
     add("units lj");
     add("atom_style granular");
@@ -291,6 +291,17 @@ void Foam::dew::liggghtsCommands::begin()
         (
             "processors " + std::to_string(n.x()) + ' '
           + std::to_string(n.y()) + ' ' + std::to_string(n.z())
+        );
+    }
+    else if (mag(g) > 0)
+    {
+        // Particles lie at the bottom: cut the box into columns
+        const vector a(cmptMag(g));
+        add
+        (
+            a.x() >= max(a.y(), a.z()) ? "processors 1 * *"
+          : a.y() >= a.z() ? "processors * 1 *"
+          : "processors * * 1"
         );
     }
 }

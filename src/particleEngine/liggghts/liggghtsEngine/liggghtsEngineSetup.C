@@ -442,7 +442,7 @@ void Foam::dew::liggghtsEngine::chooseUnits()
 void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
 {
     commands.units(units_);
-    commands.begin();
+    commands.begin(g_);
 
     // Walls may reach beyond the mesh, the engine's box must hold them
     PtrList<particleWall> walls;
