@@ -105,10 +105,12 @@ int main(int argc, char *argv[])
 
         Info<< "Time = " << runTime.timeName() << nl << endl;
 
+        // Of the present fluid, where its cells still are
+        const dew::bulkForces& forces = exchange.forces();
         #include "moveMesh.H"
 
-        // Particles to the new time, under forces of the present fluid
-        particles.evolve(exchange.forces());
+        // Particles to the new time
+        particles.evolve(forces);
 
         // What the fluid sees of them: void fraction, momentum, heat
         exchange.correct();

@@ -227,7 +227,11 @@ void Foam::dew::particleExchange::update()
             << abort(FatalError);
     }
     smoothing_->update();
-    findMap();
+    if (mesh_.topoChanging())
+    {
+        findMap();
+        alphac_.update(state_, ledger_);
+    }
 }
 
 

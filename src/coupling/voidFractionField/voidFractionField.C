@@ -242,6 +242,23 @@ void Foam::dew::voidFractionField::start
 }
 
 
+void Foam::dew::voidFractionField::update
+(
+    const particleState& state,
+    exchangeLedger& ledger
+)
+{
+    // As mapped, a particle would leave its old cell for a part of it within
+    // the next step, and push the fluid to the other parts
+    if (!time_)
+    {
+        alphac_.primitiveFieldRef() = 1 - occupied(state, ledger)/mesh_.V().field();
+        alphac_.correctBoundaryConditions();
+        alphac_.oldTime() == alphac_;
+    }
+}
+
+
 void Foam::dew::voidFractionField::correct
 (
     const particleState& state,
