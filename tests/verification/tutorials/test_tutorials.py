@@ -11,10 +11,14 @@ TUTORIALS = ROOT / 'tutorials'
 def left(folder, names):
     """What earlier runs have left"""
     patterns = ['R[0-9]*', '[0-9]*', '*.png', '__pycache__', 'runs', 'run']
+    if folder.endswith('Bed'):
+        patterns += ['VTK', 'dem', 'postProcessing', 'log.*', 'frames', '*.gif']
+    if folder.endswith('Bed/constant'):
+        patterns += ['polyMesh']
     if folder.endswith('ErgunBed'):
-        patterns += ['Ergun', 'DiFelice', 'WenYu', 'VTK', 'dem', 'postProcessing', 'log.*', 'polyMesh']
+        patterns += ['Ergun', 'DiFelice', 'WenYu']
     if folder.endswith('settlingSphere'):
-        patterns += ['oneWay', 'twoWay']
+        patterns += ['oneWay', 'twoWay', 'corrected']
     return shutil.ignore_patterns(*patterns)(folder, names) - {'0.orig'}
 
 
@@ -26,6 +30,8 @@ def fresh(path, name):
 @pytest.mark.parametrize('name', ['demFoam/collisions', pytest.param('demFoam/packing', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/Goldschmidt', marks=pytest.mark.slow),
+                                  pytest.param('cfdDemFoam/liquidFluidisedBed', marks=pytest.mark.slow),
+                                  pytest.param('cfdDemFoam/spoutedBed', marks=pytest.mark.slow),
                                   'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction',
                                   'cfdDemFoam/sphereInWater',
                                   'cfdDemFoam/packedBedHeat', 'cfdDemFoam/hinderedSettling',
@@ -39,6 +45,28 @@ def test_runs_and_validates(tmp_path, name):
     assert done.code == 0 and done.output.rstrip().endswith('PASS'), done.output
     done = run_command(['./Allclean'], case, 60)
     assert done.code == 0, done.output
+
+
+@pytest.mark.parametrize('name, end, begun, particles', [('liquidFluidisedBed', '9', '0.02', 1500),
+                                                         ('spoutedBed', '0.8', '0.002', 3200)],
+                         ids=['liquidFluidisedBed', 'spoutedBed'])
+def test_begins(tmp_path, name, end, begun, particles):
+    """Ten steps of what takes minutes: all particles, and a validate that is not content with it."""
+    case = fresh(tmp_path / 'case', f'cfdDemFoam/{name}')
+    path = case / 'system' / 'controlDict'
+    text = path.read_text()
+    for key, value in (('endTime', end), ('writeInterval', None)):
+        line = next(row for row in text.splitlines() if row.startswith(f'{key} '))
+        assert value is None or line.split()[1] == f'{value};'
+        text = text.replace(line, f'{key} {begun};')
+    path.write_text(text)
+    done = run_command(['./Allrun'], case, 300)
+    assert done.code == 0, done.output[-3000:]
+    assert f'particles {particles} ' in (case / 'log.cfdDemFoam').read_text()
+    done = run_command(['./validate'], case, 60)
+    assert done.code != 0 and 'too early' in done.output and done.output.rstrip().endswith('FAIL'), done.output
+    done = run_command(['./Allclean'], case, 60)
+    assert done.code == 0 and not list(case.glob('log.*')) + list(case.glob('*.png')), done.output
 
 
 def test_validate_notices_a_wrong_restitution(tmp_path):
