@@ -178,6 +178,13 @@ Foam::dew::particleExchange::particleExchange
             << exit(FatalIOError);
     }
 
+    if (map_.symmetry().wedge() && needs().gradU)
+    {
+        Info<< "WARNING: a law needs the gradient of the velocity, which on a"
+            << " wedge is that in its plane: without the terms of swirl and"
+            << " of the rings (U/r)" << nl << endl;
+    }
+
     findMap();
     const bool goesOn = readKicks();
     alphac_.start(state_, goesOn, ledger_);

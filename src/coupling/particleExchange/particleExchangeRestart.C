@@ -136,6 +136,12 @@ void Foam::dew::particleExchange::readMemory(const bool goesOn)
     Pstream::scatter(found);
     if (!found)
     {
+        if (nValues && goesOn)
+        {
+            Info<< "WARNING: no file " << path << ": what laws remember of the"
+                << " particles (history, eddies, own disturbance) starts anew"
+                << nl << endl;
+        }
         return;
     }
 

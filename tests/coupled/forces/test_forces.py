@@ -334,6 +334,9 @@ REFUSED = {
         {'coupling/forces/past': {**BASSET, 'kernel': 'Bassett'}}, ('past', 'Bassett', 'Basset', 'MeiAdrian')),
     'intervals': (
         {'coupling/forces/past': {**BASSET, 'intervals': 500}}, ('past', "'intervals'", '500', '200')),
+    'Brownian beside history': (
+        {'coupling/forces/past': BASSET, 'coupling/forces/random': {'type': 'Brownian', 'T': 300}},
+        ('Brownian and history', 'random', 'Remove one')),
     'no turbulence': (EDDIES, ('eddyInteraction', 'k and epsilon', 'eddies', 'RAS', 'turbulenceProperties')),
     'seed missing': (
         {'coupling/seenVelocity': {'eddies': {'type': 'eddyInteraction'}}}, ('eddies', "'seed'")),

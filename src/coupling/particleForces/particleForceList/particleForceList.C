@@ -87,6 +87,23 @@ void Foam::dew::particleForceList::checkBeside
         }
     }
 
+    for (label i = 0; i < n; i++)
+    {
+        const particleForce& other = laws_[i];
+        const auto both = [&](const word& a, const word& b)
+        {
+            return law.type() == a && other.type() == b;
+        };
+        if (both("Brownian", "history") || both("history", "Brownian"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Laws Brownian and history together: the noise is that of"
+                << " the drag alone, the friction of the history force would"
+                << " have none: " << dict.name() << nl
+                << "Remove one of the two" << exit(FatalIOError);
+        }
+    }
+
     if (model_ == models::B && !law.inModelB())
     {
         FatalIOErrorInFunction(dict)
