@@ -160,6 +160,15 @@ Foam::dew::particleExchange::particleExchange
             << " type inertial" << exit(FatalIOError);
     }
 
+    if (needs().memory > bulkForces::maxMemory)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Laws, seenVelocity and scalars keep " << needs().memory
+            << " values with each particle, the engine carries at most "
+            << bulkForces::maxMemory << nl
+            << "Lower 'intervals' of the law 'history'" << exit(FatalIOError);
+    }
+
     if (state_.overdamped && laws_.needs().addedMass)
     {
         FatalIOErrorInFunction(dict_)

@@ -333,7 +333,7 @@ REFUSED = {
     'kernel unknown': (
         {'coupling/forces/past': {**BASSET, 'kernel': 'Bassett'}}, ('past', 'Bassett', 'Basset', 'MeiAdrian')),
     'intervals': (
-        {'coupling/forces/past': {**BASSET, 'intervals': 500}}, ('past', "'intervals'", '500', '200')),
+        {'coupling/forces/past': {**BASSET, 'intervals': 500}}, ('past', "'intervals'", '500', '140')),
     'Brownian beside history': (
         {'coupling/forces/past': BASSET, 'coupling/forces/random': {'type': 'Brownian', 'T': 300}},
         ('Brownian and history', 'random', 'Remove one')),

@@ -62,11 +62,11 @@ Foam::dew::particleForces::historyForce::historyForce(const dictionary& dict)
         {"type", "kernel", "window", "intervals", "tail", "impulsiveStart"}
     );
 
-    if (intervals_ < 1 || intervals_ > 200)
+    if (intervals_ < 1 || intervals_ > 140)
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'intervals' is " << intervals_ << ": it must be from 1"
-            << " to 200" << exit(FatalIOError);
+            << " to 140" << exit(FatalIOError);
     }
     if (tail_ && kernel_->type() != "Basset")
     {
