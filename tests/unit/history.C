@@ -214,10 +214,10 @@ TEST(history, sinusoid)
     int k = 0;
     for (const auto& row : readTable("windows.csv"))
     {
-        const int perPeriod = row[0] < 10 ? 120 : 40;
+        const int perPeriod = row[0] < 10 ? 120 : 36;
         const std::string entries
         (
-            "kernel Basset; intervals 200; window " + std::to_string(row[0])
+            "kernel Basset; intervals 140; window " + std::to_string(row[0])
           + "; tail "
         );
         for (const bool tail : {false, true})
@@ -273,7 +273,7 @@ TEST(history, refused)
             "kernel Boussinesq; window 1;",
             "kernel MeiAdrian; window 1; tail on;",
             "kernel Basset; window 1; intervals 0;",
-            "kernel Basset; window 1; intervals 201;",
+            "kernel Basset; window 1; intervals 141;",
             "kernel Basset; window 1; colour red;"
         }
     )
