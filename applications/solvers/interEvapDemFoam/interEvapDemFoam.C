@@ -58,7 +58,7 @@ Usage
 #include "particleReport.H"
 #include "saturation.H"
 #include "stefanFlux.H"
-#include "surfaceMotion.H"
+#include "surfaceShape.H"
 #include "userEntry.H"
 #include "wetRegion.H"
 #include "wholeSubSteps.H"

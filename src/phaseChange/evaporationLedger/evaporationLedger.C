@@ -9,7 +9,7 @@
 #include "interfaceTransfer.H"
 #include "liquidModel.H"
 #include "OSspecific.H"
-#include "surfaceMotion.H"
+#include "surfaceShape.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -46,7 +46,7 @@ Foam::dew::evaporationLedger::record::record(const evaporationLedger& ledger)
 Foam::dew::evaporationLedger::evaporationLedger
 (
     const fvMesh& mesh,
-    const surfaceMotion& surface,
+    const surfaceShape& surface,
     const interfaceTransfer& interface,
     gasPhase& gas,
     const liquidModel& liquid,

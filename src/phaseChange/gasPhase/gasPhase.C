@@ -10,7 +10,7 @@
 #include "interfaceTransfer.H"
 #include "meanRhoD.H"
 #include "neighbourSum.H"
-#include "surfaceMotion.H"
+#include "surfaceShape.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -45,7 +45,7 @@ Foam::IOobject massIO
 Foam::dew::gasPhase::gasPhase
 (
     const gasModel& model,
-    const surfaceMotion& surface,
+    const surfaceShape& surface,
     const interfaceTransfer& interface,
     const volScalarField& T,
     volScalarField* Y,

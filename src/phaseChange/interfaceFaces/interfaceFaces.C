@@ -5,7 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "interfaceFaces.H"
-#include "surfaceMotion.H"
+#include "surfaceShape.H"
 #include "syncTools.H"
 #include "wallFvPatch.H"
 
@@ -14,7 +14,7 @@
 Foam::dew::interfaceFaces::interfaceFaces
 (
     const fvMesh& mesh,
-    const surfaceMotion& surface
+    const surfaceShape& surface
 )
 :
     mesh_(mesh),

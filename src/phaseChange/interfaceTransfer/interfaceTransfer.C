@@ -7,7 +7,7 @@
 #include "interfaceTransfer.H"
 #include "gasModel.H"
 #include "liquidModel.H"
-#include "surfaceMotion.H"
+#include "surfaceShape.H"
 #include "Time.H"
 #include "userEntry.H"
 
@@ -39,7 +39,7 @@ Foam::volScalarField::Internal noSource
 Foam::dew::interfaceTransfer::interfaceTransfer
 (
     const fvMesh& mesh,
-    const surfaceMotion& surface,
+    const surfaceShape& surface,
     const liquidModel& liquid,
     const gasModel& gas,
     const dictionary& phaseChangeProperties

@@ -11,7 +11,7 @@
 #include "gasModel.H"
 #include "liquidModel.H"
 #include "neighbourSum.H"
-#include "surfaceMotion.H"
+#include "surfaceShape.H"
 #include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -60,19 +60,18 @@ Foam::dew::surfaceMotions::film::record::record(const film& motion)
 Foam::dew::surfaceMotions::film::film
 (
     const fvMesh& mesh,
-    const word& liquidName,
-    const dictionary& dict
+    const dictionary& surfaceProperties
 )
 :
-    surfaceMotion(mesh, liquidName),
-    substrate_(mesh, dict),
-    h_(userEntry::positive(dict, "thickness", dimLength)),
+    surfaceShape(mesh, surfaceProperties),
+    substrate_(mesh, dict_),
+    h_(userEntry::positive(dict_, "thickness", dimLength)),
     before_(h_),
     dt_(0),
     near_(1e-9*Foam::cbrt(gMin(mesh.V().field()))),
     wetFaces_("wetFaces", alphaf_)
 {
-    userEntry::onlyThese(dict, {"type", "substrate", "thickness"});
+    userEntry::onlyThese(dict_, {"type", "substrate", "thickness"});
     substrate_.checkFlat(fits*max(h_, Foam::sqrt(substrate_.area())));
 
     if
@@ -81,9 +80,9 @@ Foam::dew::surfaceMotions::film::film
      && mag(substrate_.normal() ^ symmetry_.axis()) > fits
     )
     {
-        FatalIOErrorInFunction(dict)
+        FatalIOErrorInFunction(dict_)
             << "The patch " << substrate_.name() << ", entry 'substrate' in "
-            << dict.dictName()
+            << dict_.dictName()
             << ", is not at right angles to the axis of the wedge, "
             << symmetry_.axis() << nl
             << "Its normal is " << substrate_.normal() << exit(FatalIOError);
@@ -112,7 +111,7 @@ Foam::dew::surfaceMotions::film::film
       > 10*fits*substrate_.area()*max(h_, before_)
     )
     {
-        FatalIOErrorInFunction(dict)
+        FatalIOErrorInFunction(dict_)
             << "The volume of " << alpha_.name() << ", " << held
             << " m3, is not that of a film of thickness " << h_ << " m, "
             << volume() << " m3" << nl

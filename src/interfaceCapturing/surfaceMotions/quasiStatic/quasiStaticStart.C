@@ -65,18 +65,16 @@ Foam::dew::surfaceMotions::quasiStatic::record::record
 Foam::dew::surfaceMotions::quasiStatic::quasiStatic
 (
     const fvMesh& mesh,
-    const word& liquidName,
-    const dictionary& dict
+    const dictionary& surfaceProperties
 )
 :
-    surfaceMotion(mesh, liquidName),
-    dict_(dict),
+    surfaceShape(mesh, surfaceProperties),
     line_
     (
         contactLine::New
         (
-            userEntry::subDict(dict, "contactLine"),
-            degToRad(userEntry::within(dict, "contactAngle", 0.01, 179))
+            userEntry::subDict(dict_, "contactLine"),
+            degToRad(userEntry::within(dict_, "contactAngle", 0.01, 179))
         )
     ),
     overlap_(mesh, symmetry_),
@@ -87,7 +85,7 @@ Foam::dew::surfaceMotions::quasiStatic::quasiStatic
     wetFaces_("wetFaces", alphaf_),
     warned_(false)
 {
-    const sphericalCap start(capAtStart(mesh, symmetry_, dict));
+    const sphericalCap start(capAtStart(mesh, symmetry_, dict_));
     base_ = start.base();
     normal_ = start.normal();
 
@@ -126,7 +124,7 @@ Foam::dew::surfaceMotions::quasiStatic::quasiStatic
     {
         if (!(held > 0))
         {
-            FatalIOErrorInFunction(dict)
+            FatalIOErrorInFunction(dict_)
                 << "There is no liquid: the volume of "
                 << alpha_.objectPath() << " is " << held << " m3" << nl
                 << "Run setSphericalCap first"
@@ -138,7 +136,7 @@ Foam::dew::surfaceMotions::quasiStatic::quasiStatic
         share_ = shareInMesh(symmetry_, held, now_.V);
         if (share_ == 0)
         {
-            FatalIOErrorInFunction(dict)
+            FatalIOErrorInFunction(dict_)
                 << "contactRadius and contactAngle do not fit the volume of "
                 << alpha_.name() << nl
                 << "Their cap has "

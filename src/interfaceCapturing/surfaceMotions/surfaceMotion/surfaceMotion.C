@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceMotion.H"
+#include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -45,17 +46,18 @@ Foam::IOobject derived
 Foam::dew::surfaceMotion::surfaceMotion
 (
     const fvMesh& mesh,
-    const word& liquidName
+    const dictionary& surfaceProperties
 )
 :
     mesh_(mesh),
     symmetry_(mesh),
-    liquidName_(liquidName),
+    dict_(userEntry::subDict(surfaceProperties, "surfaceMotion")),
+    liquidName_(surfaceProperties.get<word>("liquid")),
     alpha_
     (
         IOobject
         (
-            IOobject::groupName("alpha", liquidName),
+            IOobject::groupName("alpha", liquidName_),
             mesh.time().timeName(),
             mesh,
             IOobject::MUST_READ,
@@ -63,14 +65,13 @@ Foam::dew::surfaceMotion::surfaceMotion
         ),
         mesh
     ),
-    alphaf_(derived(mesh, "alphaf", liquidName), mesh, dimless),
-    psi_(derived(mesh, "surfaceDistance", liquidName), mesh, dimLength),
-    n_(derived(mesh, "surfaceNormal", liquidName), mesh, dimless),
+    psi_(derived(mesh, "surfaceDistance", liquidName_), mesh, dimLength),
+    n_(derived(mesh, "surfaceNormal", liquidName_), mesh, dimless),
     curvature_
     (
-        derived(mesh, "surfaceCurvature", liquidName), mesh, dimless/dimLength
+        derived(mesh, "surfaceCurvature", liquidName_), mesh, dimless/dimLength
     ),
-    speed_(derived(mesh, "surfaceSpeed", liquidName), mesh, dimVelocity),
+    speed_(derived(mesh, "surfaceSpeed", liquidName_), mesh, dimVelocity),
     area_(mesh.nCells(), scalar(0))
 {
     if (alpha_.dimensions() != dimless)

@@ -4,24 +4,24 @@
   License: GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "surfaceMotion.H"
+#include "reconstruction.H"
 #include "selectVariant.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::dew::surfaceMotion> Foam::dew::surfaceMotion::New
+Foam::autoPtr<Foam::dew::reconstruction> Foam::dew::reconstruction::New
 (
     const fvMesh& mesh,
-    const word& liquidName,
+    const contactAngles& angles,
     const dictionary& surfaceProperties
 )
 {
-    const dictionary& dict =
-        userEntry::subDict(surfaceProperties, "surfaceMotion");
+    dictionary dict(userEntry::optionalDict(surfaceProperties, "reconstruction"));
+    dict.add("type", word("isoAlpha"));
 
-    return selectVariant<surfaceMotion>(dict, "type", "surface motion")
+    return selectVariant<reconstruction>(dict, "type", "reconstruction")
     (
-        mesh, liquidName, dict
+        mesh, angles, dict
     );
 }

@@ -1,0 +1,59 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "curvatureModel.H"
+#include "alongInterface.H"
+#include "transportedSurface.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+    defineTypeName(curvatureModel);
+    defineRunTimeSelectionTable(curvatureModel, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::curvatureModel::curvatureModel(const transportedSurface& surface)
+:
+    layer_
+    (
+        IOobject
+        (
+            "interfaceLayer", surface.mesh().time().timeName(), surface.mesh()
+        ),
+        surface.mesh(),
+        dimensionedScalar(dimless, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    Kf_
+    (
+        IOobject("Kf", surface.mesh().time().timeName(), surface.mesh()),
+        surface.mesh(),
+        dimensionedScalar(dimless/dimLength, Zero)
+    ),
+    surface_(surface)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::curvatureModel::correct(volScalarField& curvature)
+{
+    boolList known(curvature.size(), false);
+
+    calculate(curvature.primitiveFieldRef(), known);
+    alongInterface::extend(curvature, known, layer_);
+    alongInterface::toFaces(curvature, layer_, Kf_);
+
+    curvature *= 0.5;
+}

@@ -1,0 +1,168 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "transportedSurface.H"
+#include "alongInterface.H"
+#include "fvcGrad.H"
+#include "surfaceInterpolate.H"
+#include "userEntry.H"
+#include "wallFvPatch.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+    defineTypeName(transportedSurface);
+}
+}
+
+const char* const Foam::dew::transportedSurface::solvers =
+    "interDemFoam takes isoAdvector and MULES, interEvapDemFoam quasiStatic and"
+    " film";
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::transportedSurface::transportedSurface
+(
+    const fvMesh& mesh,
+    const dictionary& surfaceProperties
+)
+:
+    surfaceMotion(mesh, surfaceProperties),
+    angles_(mesh, surfaceProperties),
+    volume_(heldVolume()),
+    reconstruction_(reconstruction::New(mesh, angles_, surfaceProperties)),
+    distance_(distanceModel::New(*this, surfaceProperties)),
+    curvatureModel_(curvatureModel::New(*this, surfaceProperties)),
+    alphaPhi_
+    (
+        IOobject
+        (
+            IOobject::groupName("alphaPhi", liquidName_),
+            mesh.time().timeName(),
+            mesh
+        ),
+        mesh,
+        dimensionedScalar(dimVolume/dimTime, Zero)
+    )
+{
+    userEntry::onlyThese
+    (
+        surfaceProperties,
+        {
+            "liquid", "surfaceMotion", "reconstruction", "distance",
+            "curvature", "contactAngles", "surfaceTension"
+        }
+    );
+    alpha_.oldTime();
+    alphaPhi_.setOriented();
+
+    const scalar low = gMin(alpha_.primitiveField());
+    const scalar high = gMax(alpha_.primitiveField());
+    if (low < -1e-6 || high > 1 + 1e-6)
+    {
+        FatalErrorInFunction
+            << "The field " << alpha_.objectPath() << " has values from " << low
+            << " to " << high << nl
+            << "A share of the volume is from 0 to 1" << exit(FatalError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField>
+Foam::dew::transportedSurface::normalFlux() const
+{
+    // Where alpha changes by less than this over a cell there is no surface
+    const dimensionedScalar small
+    (
+        "small", dimless/dimLength,
+        1e-8/Foam::cbrt(gAverage(mesh_.V().field()))
+    );
+
+    surfaceVectorField n(-fvc::interpolate(fvc::grad(alpha_)));
+    n /= mag(n) + small;
+
+    forAll(mesh_.boundary(), patchi)
+    {
+        if (isA<wallFvPatch>(mesh_.boundary()[patchi]))
+        {
+            vectorField& nb = n.boundaryFieldRef()[patchi];
+            const vectorField given(nb);
+            nb = angles_.normal(patchi, given);
+        }
+    }
+
+    return n & mesh_.Sf();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::dew::transportedSurface::onSurface
+(
+    const dimensionedVector& g
+) const
+{
+    const interfacePlanes& surfaces = planes();
+    const dimensionedScalar zero(g.dimensions()*dimLength, Zero);
+
+    volScalarField value
+    (
+        IOobject("onSurface", mesh_.time().timeName(), mesh_),
+        mesh_,
+        zero,
+        zeroGradientFvPatchScalarField::typeName
+    );
+    volScalarField layer("layer", value);
+    boolList known(mesh_.nCells(), false);
+
+    forAll(surfaces.cell(), i)
+    {
+        const label celli = surfaces.cell()[i];
+        known[celli] = true;
+        value[celli] = g.value() & surfaces.x()[i];
+    }
+    alongInterface::extend(value, known, layer);
+
+    tmp<surfaceScalarField> tfaces
+    (
+        new surfaceScalarField
+        (
+            IOobject("onSurfacef", mesh_.time().timeName(), mesh_),
+            mesh_,
+            zero
+        )
+    );
+    alongInterface::toFaces(value, layer, tfaces.ref());
+    return tfaces;
+}
+
+
+void Foam::dew::transportedSurface::correct(const surfaceFlow& flow)
+{
+    volume_ =
+        gSum(alpha_.primitiveField()*flow.alphac.primitiveField()*mesh_.V());
+
+    reconstruction_->correct(alpha_);
+    angles_.correct(planes(), flow);
+    distance_->correct(psi_, n_);
+    curvatureModel_->correct(curvature_);
+    speed_ = flow.U & n_;
+}
+
+
+void Foam::dew::transportedSurface::report(Ostream& os) const
+{
+    const scalar low = gMin(alpha_.primitiveField());
+    const scalar high = gMax(alpha_.primitiveField());
+
+    os  << alpha_.name() << ": volume " << volume_ << " m3, from " << low
+        << " to 1 " << (high < 1 ? "- " : "+ ") << mag(high - 1) << endl;
+}

@@ -1,0 +1,91 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceTension.H"
+#include "mathematicalConstants.H"
+#include "surfaceInterpolate.H"
+#include "transportedSurface.H"
+#include "userEntry.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::surfaceTension::surfaceTension
+(
+    const transportedSurface& surface,
+    const dictionary& surfaceProperties
+)
+:
+    surface_(surface),
+    sigma_
+    (
+        IOobject
+        (
+            "sigma", surface.mesh().time().timeName(), surface.mesh()
+        ),
+        surface.mesh(),
+        dimensionedScalar
+        (
+            dimForce/dimLength,
+            userEntry::notNegative
+            (
+                userEntry::subDict(surfaceProperties, "surfaceTension"),
+                "sigma", dimForce/dimLength
+            )
+        )
+    ),
+    force_
+    (
+        surfaceTensionForceModel::New
+        (
+            surface, surfaceProperties.subDict("surfaceTension")
+        )
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField> Foam::dew::surfaceTension::force() const
+{
+    return fvc::interpolate(sigma_)*surface_.Kf()*force_->snGrad();
+}
+
+
+Foam::scalar Foam::dew::surfaceTension::maxDeltaT
+(
+    const scalar rho1,
+    const scalar rho2
+) const
+{
+    const fvMesh& mesh = surface_.mesh();
+    const label nGeometric = mesh.nGeometricD();
+
+    scalar least = GREAT;
+    for (const label celli : surface_.planes().cell())
+    {
+        scalar h = GREAT;
+        for (const label facei : mesh.cells()[celli])
+        {
+            if (mesh.isInternalFace(facei))
+            {
+                h = min(h, 1/mesh.nonOrthDeltaCoeffs()[facei]);
+            }
+        }
+        if (h == GREAT)
+        {
+            h = Foam::pow(mesh.V()[celli], 1.0/nGeometric);
+        }
+        least =
+            min
+            (
+                least,
+                (rho1 + rho2)*pow3(h)
+               /(4*constant::mathematical::pi*max(sigma_[celli], VSMALL))
+            );
+    }
+
+    return Foam::sqrt(returnReduce(least, minOp<scalar>()));
+}
