@@ -28,6 +28,7 @@ Foam::dew::surfaceTension::surfaceTension
         surface.mesh(),
         dimensionedScalar
         (
+            "sigma",
             dimForce/dimLength,
             userEntry::notNegative
             (
