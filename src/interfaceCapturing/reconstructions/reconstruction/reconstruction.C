@@ -32,3 +32,53 @@ Foam::dew::reconstruction::reconstruction
 {
     planes_.clear(mesh.nCells());
 }
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::dew::reconstruction::findCrossed(const scalarField& alpha)
+{
+    planes_.clear(mesh_.nCells());
+    crossed_.clear();
+    forAll(alpha, celli)
+    {
+        if (crossed(alpha[celli]))
+        {
+            crossed_.append(celli);
+        }
+    }
+}
+
+
+Foam::vector Foam::dew::reconstruction::direction(const vector& n) const
+{
+    vector d(n);
+    for (Foam::direction i = 0; i < vector::nComponents; i++)
+    {
+        if (mesh_.geometricD()[i] < 0)
+        {
+            d[i] = 0;
+        }
+    }
+    const scalar size = mag(d);
+    return size > 0 ? d/size : vector(Zero);
+}
+
+
+void Foam::dew::reconstruction::appendPlane
+(
+    cellCut& cut,
+    const label celli,
+    const vector& n,
+    const scalar share
+)
+{
+    const vector d(direction(n));
+    if (d == vector(Zero))
+    {
+        return;
+    }
+    cut.function(d);
+    cut.cut(share);
+    planes_.append(celli, cut.centre(), d, mag(cut.S()));
+}
