@@ -286,6 +286,7 @@ int main(int argc, char *argv[])
                 );
             }
         }
+        surface.report(Info);
         Info<< "shape";
         curvature.print(Sout);
         distance.print(Sout);
