@@ -197,7 +197,7 @@ void Foam::dew::distanceModels::reconstructed::nextLayer
             else if (area[facei - nInternal] > 0)
             {
                 const label i = facei - nInternal;
-                add({x[i], nx[i], area[i]});
+                add({x[i], nx[i], area[i], Zero, Zero});
             }
         }
         mean(celli, planes, psi[celli], n[celli]);
@@ -274,7 +274,7 @@ void Foam::dew::distanceModels::reconstructed::correct
     scalarField& psic = psi.primitiveFieldRef();
     vectorField& nc = n.primitiveFieldRef();
 
-    around_.correct(surface_.planes());
+    around_.correct(surface_.planes(), surface_.angles());
     layer_.setSize(mesh.nCells());
     layer_ = 0;
     closest_.setSize(mesh.nCells());
