@@ -35,5 +35,5 @@ Foam::autoPtr<Kind> Foam::dew::surfaceMotion::New
             << Kind::solvers << exit(FatalIOError);
     }
 
-    return autoPtr<Kind>(refCast<Kind>(*motion.release()));
+    return autoPtr<Kind>(&refCast<Kind>(*motion.release()));
 }
