@@ -142,7 +142,7 @@ void takeSolids
         forAll(phib, i)
         {
             phib[i] -=
-                mesh.boundary()[patchi].Sf()()[i].x()
+                mesh.boundary()[patchi].Sf()[i].x()
                *mean(mesh.boundary()[patchi].Cf()[i]);
         }
     }
@@ -197,7 +197,7 @@ int main(int argc, char *argv[])
     (
         IOobject("alphac", runTime.timeName(), mesh),
         mesh,
-        dimensionedScalar(dimless, 1),
+        dimensionedScalar("one", dimless, 1),
         alpha.boundaryField().types()
     );
     volVectorField U
@@ -280,12 +280,10 @@ int main(int argc, char *argv[])
         );
     }
 
-    const int digits = Info.stdStream().precision(17);
     Info<< "result " << steps << ' ' << start << ' ' << volume() << ' ' << low
         << ' ' << high << ' '
         << returnReduce(advection.moved(), sumOp<scalar>()) << ' '
         << returnReduce(error, maxOp<scalar>()) << ' ' << tAdvect << ' '
         << tPlanes << endl;
-    Info.stdStream().precision(digits);
     return 0;
 }
