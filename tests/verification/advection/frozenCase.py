@@ -70,12 +70,13 @@ def sphere(n, centre, r, length=1.0):
 class FrozenCase(Case):
     """A box with liquid in a frozen flow; flat along z if it has one cell there."""
 
-    def __init__(self, path, cells, alpha, flow, length=1.0, reconstruction=None, solids=None, **keywords):
+    def __init__(self, path, cells, alpha, flow, length=1.0, reconstruction=None, solids=None, entries=None, **keywords):
         self.flat = cells[2] == 1
         upper = tuple(length*n/cells[0] for n in cells)
         super().__init__(path, upper=upper, cells=cells,
                          **{'application': 'frozenFlow', 'writePrecision': 16, 'writeInterval': 100000, **keywords})
-        self.alpha, self.flow, self.solids = np.asarray(alpha, dtype=float), flow, solids
+        self.alpha, self.flow = np.asarray(alpha, dtype=float), flow
+        self.entries = dict(entries or {}, **({'solids': solids} if solids else {}))
         self.reconstruction = reconstruction
 
     def write(self):
@@ -84,8 +85,7 @@ class FrozenCase(Case):
         if self.reconstruction:
             surface['reconstruction'] = self.reconstruction
         self.write_dict('constant/surfaceProperties', surface)
-        extra = {'solids': self.solids} if self.solids else {}
-        self.write_dict('constant/frozenFlow', {'flow': self.flow, **extra})
+        self.write_dict('constant/frozenFlow', {'flow': self.flow, **self.entries})
         self.write_fields()
 
     def write_fields(self):

@@ -14,6 +14,8 @@ Description
 
     \verbatim
     flow    { type vortex; length 1; speed 1; period 8; }
+    maxAlphaCo  0.5;      // optional: steps by the Courant number of the surface
+    maxDeltaT   0.05;     // and no longer than this
     solids  { depth 0.4; width 0.1; centre 0.5; speed 1; length 1; }  // optional
     \endverbatim
 
@@ -155,6 +157,26 @@ void takeSolids
     U.correctBoundaryConditions();
 }
 
+//- Half the sum of the fluxes of the crossed cells over their volume [1/s]
+scalar surfaceRate(const interfacePlanes& planes, const surfaceScalarField& phi)
+{
+    const fvMesh& mesh = phi.mesh();
+    scalar highest = 0;
+    for (const label celli : planes.cell())
+    {
+        scalar sum = 0;
+        for (const label facei : mesh.cells()[celli])
+        {
+            if (mesh.isInternalFace(facei))
+            {
+                sum += mag(phi[facei]);
+            }
+        }
+        highest = max(highest, 0.5*sum/mesh.V()[celli]);
+    }
+    return returnReduce(highest, maxOp<scalar>());
+}
+
 } // End anonymous namespace
 
 
@@ -238,8 +260,28 @@ int main(int argc, char *argv[])
 
     cellCut cut(mesh);
     planes->correct(alpha);
-    while (runTime.loop())
+    const scalar maxAlphaCo = flowDict.getOrDefault<scalar>("maxAlphaCo", 0);
+    while (runTime.run())
     {
+        if (maxAlphaCo > 0)
+        {
+            const scalar rate =
+                surfaceRate(planes->planes(), phi0)
+               *mag(flow.factor(runTime.value()));
+            runTime.setDeltaT
+            (
+                min
+                (
+                    min(maxAlphaCo/max(rate, VSMALL), 1.2*runTime.deltaTValue()),
+                    min
+                    (
+                        flowDict.get<scalar>("maxDeltaT"),
+                        runTime.endTime().value() - runTime.value()
+                    )
+                )
+            );
+        }
+        ++runTime;
         const scalar dt = runTime.deltaTValue();
         const scalar t = runTime.value() - dt;
 
@@ -264,6 +306,7 @@ int main(int argc, char *argv[])
         steps++;
         runTime.write();
     }
+    alpha.write();
 
     forAll(planes->planes().cell(), i)
     {
