@@ -150,7 +150,10 @@ void Foam::dew::convexPiece::split
                   ? a + da/(da - db)*(b - a)
                   : b + db/(db - da)*(a - b)
                 );
-                low.append(c);
+                if (da != 0 && db != 0)
+                {
+                    low.append(c);
+                }
                 high.append(c);
                 lid.append(c);
             }

@@ -21,7 +21,7 @@ namespace
 constexpr Foam::scalar nothing = 1e-13;
 
 //- Halvings of a cell that several curved shapes cut
-constexpr Foam::label maxDepth = 12;
+constexpr Foam::label maxDepth = 18;
 
 } // End anonymous namespace
 
@@ -86,7 +86,11 @@ Foam::dew::filling::filling
     atBoundary_.setSize(shapes_.size(), Zero);
     forAll(share_, celli)
     {
-        fill(celli, atBoundary.test(celli));
+        const bool boundary = atBoundary.test(celli);
+        if (!fillWhole(celli, boundary))
+        {
+            fill(celli, boundary);
+        }
     }
     for (scalarField* sums : {&held_, &atBoundary_})
     {
@@ -108,14 +112,14 @@ Foam::dew::filling::filling
 Foam::dew::filling::place Foam::dew::filling::whereIs
 (
     const label shapei,
-    const convexPiece& piece
+    const point& c,
+    const scalar r
 ) const
 {
-    const point c(piece.centre());
     const scalar depth = shapes_[shapei].level(c);
 
     return
-        mag(depth) < piece.radius(c) ? CUT
+        mag(depth) < r ? CUT
       : (depth > 0) != outside_[shapei] ? IN
       : OUT;
 }
@@ -291,6 +295,43 @@ Foam::scalar Foam::dew::filling::divided
     }
     piece.halve(below, above);
     return divided(below, depth - 1) + divided(above, depth - 1);
+}
+
+
+bool Foam::dew::filling::fillWhole(const label celli, const bool boundary)
+{
+    // Where the points of a wedge truly are, it is wider
+    const point& c = mesh_.cellCentres()[celli];
+    const scalar away =
+        symmetry_.wedge()
+      ? symmetry_.radius(c) - (symmetry_.radial() & (c - symmetry_.origin()))
+      : 0;
+    scalar r = 0;
+    for (const label pointi : mesh_.cellPoints()[celli])
+    {
+        r = max(r, mag(mesh_.points()[pointi] - c));
+    }
+    r /= symmetry_.wedge() ? symmetry_.cosHalfAngle() : 1;
+
+    List<place> places(shapes_.size());
+    forAll(shapes_, i)
+    {
+        places[i] = whereIs(i, c + away*symmetry_.radial(), r);
+        if (places[i] == CUT)
+        {
+            return false;
+        }
+    }
+    share_[celli] = liquid(places) ? 1 : 0;
+
+    const scalar V = mesh_.cellVolumes()[celli];
+    forAll(shapes_, i)
+    {
+        const scalar held = (places[i] == IN) != outside_[i] ? V : 0;
+        held_[i] += held;
+        atBoundary_[i] += boundary ? held : 0;
+    }
+    return true;
 }
 
 
