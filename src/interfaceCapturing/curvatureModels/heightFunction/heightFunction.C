@@ -169,6 +169,7 @@ void Foam::dew::curvatureModels::heightFunction::calculate
     const cellColumns& columns = cellColumns::New(surface_.mesh());
     tellUnfit(columns);
     columns.fetch(surface_.alpha().primitiveField(), alpha_);
+    fetchAngles(columns);
 
     nHeights_ = nFits_ = nLeft_ = 0;
     DynamicList<label> left;
