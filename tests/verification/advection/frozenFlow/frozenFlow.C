@@ -27,7 +27,7 @@ Description
 
 #include "argList.H"
 #include "cellCut.H"
-#include "clockTime.H"
+#include "cpuTime.H"
 #include "contactAngles.H"
 #include "flows.H"
 #include "fvMesh.H"
@@ -295,11 +295,11 @@ int main(int argc, char *argv[])
             takeSolids(*layer, t, dt, alphac, phi, U);
         }
 
-        clockTime clock;
+        cpuTime clock;
         advection.advect(alpha, alphaPhi, planes->planes(), phi, U, alphac);
-        tAdvect += clock.timeIncrement();
+        tAdvect += clock.cpuTimeIncrement();
         planes->correct(alpha);
-        tPlanes += clock.timeIncrement();
+        tPlanes += clock.cpuTimeIncrement();
 
         low = min(low, gMin(alpha.primitiveField()));
         high = max(high, gMax(alpha.primitiveField()) - 1);
