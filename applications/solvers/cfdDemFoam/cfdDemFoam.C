@@ -51,6 +51,7 @@ Usage
 #include "singlePhaseTransportModel.H"
 #include "wallFvPatch.H"
 
+#include "boundaryForces.H"
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"
 #include "particleEngine.H"

@@ -113,6 +113,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::dew::transportedSurface::onSurface
     const interfacePlanes& surfaces = planes();
     const dimensionedScalar zero(g.dimensions()*dimLength, Zero);
 
+    tmp<surfaceScalarField> tfaces(g & mesh_.Cf());
+    surfaceScalarField& faces = tfaces.ref();
+
+    // Of the cells that are crossed; the others count for nothing
     volScalarField value
     (
         IOobject("onSurface", mesh_.time().timeName(), mesh_),
@@ -120,27 +124,45 @@ Foam::tmp<Foam::surfaceScalarField> Foam::dew::transportedSurface::onSurface
         zero,
         zeroGradientFvPatchScalarField::typeName
     );
-    volScalarField layer("layer", value);
-    boolList known(mesh_.nCells(), false);
-
+    volScalarField crossed("crossed", value/dimensionedScalar("1", zero.dimensions(), 1));
     forAll(surfaces.cell(), i)
     {
         const label celli = surfaces.cell()[i];
-        known[celli] = true;
         value[celli] = g.value() & surfaces.x()[i];
+        crossed[celli] = 1;
     }
-    alongInterface::extend(value, known, layer);
+    value.correctBoundaryConditions();
+    crossed.correctBoundaryConditions();
 
-    tmp<surfaceScalarField> tfaces
-    (
-        new surfaceScalarField
+    const auto mean = [&](scalar& face, scalar n, scalar sum)
+    {
+        face = n > 0 ? sum/n : face;
+    };
+
+    forAll(mesh_.owner(), facei)
+    {
+        const label own = mesh_.owner()[facei];
+        const label nei = mesh_.neighbour()[facei];
+        mean
         (
-            IOobject("onSurfacef", mesh_.time().timeName(), mesh_),
-            mesh_,
-            zero
-        )
-    );
-    alongInterface::toFaces(value, layer, tfaces.ref());
+            faces[facei], crossed[own] + crossed[nei], value[own] + value[nei]
+        );
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        if (mesh_.boundary()[patchi].coupled())
+        {
+            const fvPatchScalarField& v = value.boundaryField()[patchi];
+            const fvPatchScalarField& c = crossed.boundaryField()[patchi];
+            const scalarField sum(v.patchInternalField() + v.patchNeighbourField());
+            const scalarField n(c.patchInternalField() + c.patchNeighbourField());
+            scalarField& facesb = faces.boundaryFieldRef()[patchi];
+            forAll(facesb, i)
+            {
+                mean(facesb[i], n[i], sum[i]);
+            }
+        }
+    }
     return tfaces;
 }
 
@@ -165,4 +187,7 @@ void Foam::dew::transportedSurface::report(Ostream& os) const
 
     os  << alpha_.name() << ": volume " << volume_ << " m3, from " << low
         << " to 1 " << (high < 1 ? "- " : "+ ") << mag(high - 1) << endl;
+
+    distance_->report(os);
+    curvatureModel_->report(os);
 }

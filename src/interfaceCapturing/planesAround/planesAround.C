@@ -1,0 +1,316 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "planesAround.H"
+#include "globalMeshData.H"
+#include "mathematicalConstants.H"
+#include "globalIndex.H"
+#include "globalIndexAndTransform.H"
+#include "mapDistribute.H"
+#include "FixedList.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- x, n, (area 0 0), end, conormal of a plane
+using packed = FixedList<vector, 5>;
+
+//- Behind a periodic boundary
+struct movePlanes
+{
+    void operator()
+    (
+        const vectorTensorTransform& move,
+        const bool forward,
+        List<packed>& planes
+    ) const
+    {
+        for (packed& p : planes)
+        {
+            p[0] =
+                forward
+              ? move.transformPosition(p[0])
+              : move.invTransformPosition(p[0]);
+            p[3] =
+                forward
+              ? move.transformPosition(p[3])
+              : move.invTransformPosition(p[3]);
+            p[1] = forward ? (move.R() & p[1]) : (p[1] & move.R());
+            p[4] = forward ? (move.R() & p[4]) : (p[4] & move.R());
+        }
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::labelUList& Foam::dew::planesAround::cellPoints
+(
+    const label celli
+) const
+{
+    points_.clear();
+    for (const label facei : mesh_.cells()[celli])
+    {
+        for (const label pointi : mesh_.faces()[facei])
+        {
+            if (!points_.found(pointi))
+            {
+                points_.append(pointi);
+            }
+        }
+    }
+    return points_;
+}
+
+
+void Foam::dew::planesAround::findEnd
+(
+    const label celli,
+    const contactAngles& angles,
+    plane& p
+) const
+{
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const label patchi =
+            mesh_.isInternalFace(facei)
+          ? -1 : mesh_.boundaryMesh().whichPatch(facei);
+        if
+        (
+            patchi < 0 || mesh_.boundaryMesh()[patchi].coupled()
+         || polyPatch::constraintType(mesh_.boundaryMesh()[patchi].type())
+        )
+        {
+            continue;
+        }
+
+        bool in = false;
+        bool out = false;
+        for (const label pointi : mesh_.faces()[facei])
+        {
+            ((p.n & (mesh_.points()[pointi] - p.x)) > 0 ? out : in) = true;
+        }
+        const vector m(normalised(mesh_.faceAreas()[facei]));
+        const vector along(p.n - (p.n & m)*m);
+        const scalar slope = mag(along);
+        if (!in || !out || slope < 1e-6)
+        {
+            continue;
+        }
+
+        // Along the plane to the wall; there by the angle
+        const scalar theta =
+            angles.has(patchi)
+          ? angles.theta(patchi)[facei - mesh_.boundaryMesh()[patchi].start()]
+          : 0.5*constant::mathematical::pi;
+        const vector t(along/slope);
+        const vector down((m - (m & p.n)*p.n)/slope);
+        p.end = p.x + ((mesh_.faceCentres()[facei] - p.x) & m)/slope*down;
+        p.conormal = m*Foam::sin(theta) + t*Foam::cos(theta);
+        return;
+    }
+}
+
+
+void Foam::dew::planesAround::share()
+{
+    const globalMeshData& global = mesh_.globalData();
+    const labelList& cells = global.boundaryCells();
+
+    nOwnShared_ = cells.size();
+    List<packed> sent(nOwnShared_, packed(vector::zero));
+    forAll(cells, i)
+    {
+        const label number = planes_->of(cells[i]);
+        if (number >= 0)
+        {
+            const plane& p = own_[number];
+            sent[i][0] = p.x;
+            sent[i][1] = p.n;
+            sent[i][2].x() = p.area;
+            sent[i][3] = p.end;
+            sent[i][4] = p.conormal;
+        }
+    }
+    global.globalPointBoundaryCellsMap().distribute
+    (
+        global.globalTransforms(), sent, movePlanes()
+    );
+    shared_.setSize(sent.size());
+    forAll(sent, i)
+    {
+        const packed& s = sent[i];
+        shared_[i] = {s[0], s[1], s[2].x(), s[3], s[4]};
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::planesAround::correct
+(
+    const interfacePlanes& planes,
+    const contactAngles& angles
+)
+{
+    planes_ = &planes;
+
+    own_.setSize(planes.size());
+    forAll(own_, i)
+    {
+        own_[i] =
+            {planes.x()[i], planes.n()[i], planes.area()[i], Zero, Zero};
+        findEnd(planes.cell()[i], angles, own_[i]);
+    }
+
+    coupled_ = false;
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        coupled_ = coupled_ || patch.coupled();
+    }
+    coupled_ = returnReduce(coupled_, orOp<bool>());
+    if (coupled_)
+    {
+        share();
+    }
+}
+
+
+void Foam::dew::planesAround::find
+(
+    const label celli,
+    DynamicList<plane>& found
+) const
+{
+    const labelListList& pointCells = mesh_.pointCells();
+    found.clear();
+    seen_.clear();
+
+    const auto take = [&](const label p)
+    {
+        if (p >= 0 && !seen_.found(p))
+        {
+            seen_.append(p);
+            found.append(own_[p]);
+        }
+    };
+    take(planes_->of(celli));
+
+    const labelUList& points = cellPoints(celli);
+    for (const label pointi : points)
+    {
+        for (const label next : pointCells[pointi])
+        {
+            take(planes_->of(next));
+        }
+    }
+    if (!coupled_)
+    {
+        return;
+    }
+
+    // Slots behind the planes of this rank in seen_
+    const globalMeshData& global = mesh_.globalData();
+    const Map<label>& coupledPoints = global.coupledPatch().meshPointMap();
+    const label first = own_.size();
+    const auto takeShared = [&](const label slot)
+    {
+        if
+        (
+            slot >= nOwnShared_ && shared_[slot].area > 0
+         && !seen_.found(first + slot)
+        )
+        {
+            seen_.append(first + slot);
+            found.append(shared_[slot]);
+        }
+    };
+    for (const label pointi : points)
+    {
+        const label p = coupledPoints.lookup(pointi, -1);
+        if (p >= 0)
+        {
+            for (const label slot : global.globalPointBoundaryCells()[p])
+            {
+                takeShared(slot);
+            }
+            for
+            (
+                const label slot :
+                global.globalPointTransformedBoundaryCells()[p]
+            )
+            {
+                takeShared(slot);
+            }
+        }
+    }
+}
+
+
+void Foam::dew::planesAround::findNextTo
+(
+    labelList& marked,
+    DynamicList<label>& cells
+) const
+{
+    const labelListList& pointCells = mesh_.pointCells();
+    cells.clear();
+
+    const auto mark = [&](const label pointi)
+    {
+        for (const label next : pointCells[pointi])
+        {
+            if (!marked[next])
+            {
+                marked[next] = 1;
+                cells.append(next);
+            }
+        }
+    };
+    for (const label celli : planes_->cell())
+    {
+        for (const label pointi : cellPoints(celli))
+        {
+            mark(pointi);
+        }
+    }
+    if (!coupled_)
+    {
+        return;
+    }
+
+    const globalMeshData& global = mesh_.globalData();
+    const labelList& meshPoints = global.coupledPatch().meshPoints();
+    const auto near = [&](const labelList& slots)
+    {
+        for (const label slot : slots)
+        {
+            if (shared_[slot].area > 0)
+            {
+                return true;
+            }
+        }
+        return false;
+    };
+    forAll(meshPoints, p)
+    {
+        if
+        (
+            near(global.globalPointBoundaryCells()[p])
+         || near(global.globalPointTransformedBoundaryCells()[p])
+        )
+        {
+            mark(meshPoints[p]);
+        }
+    }
+}
