@@ -35,7 +35,7 @@ Foam::dew::reconstructions::PLIC::PLIC
     reconstruction(mesh, dict),
     iterations_
     (
-        dict.found("iterations") ? userEntry::count(dict, "iterations") : 2
+        dict.found("iterations") ? userEntry::count(dict, "iterations") : 1
     ),
     pointMean_(mesh),
     cut_(mesh)
