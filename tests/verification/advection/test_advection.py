@@ -70,25 +70,21 @@ def constant(path, n=64, length=1.0, speed=1.0, **keywords):
 
 
 def test_constant_flow(tmp_path):
-    """interIsoFoam: STOCK_CONSTANT."""
+    """Better than interIsoFoam, 0.02858."""
     case = constant(tmp_path)
     case.mesh()
     clean(case.solve())
-    assert case.error() < STOCK_CONSTANT
-
-
-STOCK_CONSTANT = 1.0
-STOCK_ZALESAK = 1.0
+    assert case.error() < 0.0286/2
 
 
 def test_notched_disc(tmp_path):
-    """One turn of Zalesak's disc: no worse than interIsoFoam."""
+    """One turn of Zalesak's disc: better than interIsoFoam, 0.05434. Traces leave the box."""
     n = 100
     case = FrozenCase(tmp_path, (n, n, 1), notched_disc(n), {'type': 'rotation', 'centre': (0.5, 0.5, 0)},
                       endTime=2*np.pi, deltaT=2*np.pi/628, writeFormat='ascii')
     case.mesh()
-    clean(case.solve())
-    assert case.error() < STOCK_ZALESAK
+    clean(case.solve(), 1e-9)
+    assert case.error() < 0.0543
 
 
 def deformation(path, n):
@@ -147,7 +143,7 @@ def test_all_liquid_with_solids(tmp_path):
 
 @pytest.mark.parametrize('kind', ['PLIC', 'isoAlpha'])
 def test_triangles(tmp_path, kind):
-    """A quarter turn of a disc and back, on triangles at random; isoAlpha has no second order there."""
+    """A quarter turn of a disc and back, on triangles at random: within twice what this code leaves."""
     n = 32
     points, triangles = square_of_triangles(n, 1.0)
 
@@ -161,10 +157,7 @@ def test_triangles(tmp_path, kind):
     case.write()
     clean(case.solve())
     weights = areas_of_triangles(points, triangles)
-    assert (weights*np.abs(case.shares() - case.alpha)).sum() < TRIANGLES*(weights*case.alpha).sum()
-
-
-TRIANGLES = 1.0
+    assert (weights*np.abs(case.shares() - case.alpha)).sum() < 0.05*(weights*case.alpha).sum()
 
 
 def test_crooked_cells(tmp_path):
@@ -178,7 +171,7 @@ def test_crooked_cells(tmp_path):
 
 
 def test_wedge(tmp_path):
-    """A ball near the axis of a wedge of 10 um cells, drawn out and back."""
+    """A ball near the axis of a wedge of 10 um cells, drawn out and back: within some times what this code leaves."""
     n, length = 32, 3.2e-4
     x = (np.arange(n) + 0.5)/n
     samples = (np.arange(16) + 0.5)/16 - 0.5
@@ -193,7 +186,4 @@ def test_wedge(tmp_path):
     case._must('blockMesh')
     clean(case.solve())
     volumes = np.broadcast_to(2*x[None, :], shares.shape).ravel()
-    assert (volumes*np.abs(case.shares() - case.alpha)).sum() < WEDGE*(volumes*case.alpha).sum()
-
-
-WEDGE = 1.0
+    assert (volumes*np.abs(case.shares() - case.alpha)).sum() < 0.01*(volumes*case.alpha).sum()
