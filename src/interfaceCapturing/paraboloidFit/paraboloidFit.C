@@ -99,6 +99,18 @@ Foam::scalar Foam::dew::paraboloidFit::length
 }
 
 
+Foam::scalar Foam::dew::paraboloidFit::moment
+(
+    const planesAround::plane& p
+) const
+{
+    return
+        across_ != vector::zero
+      ? sqr(length(p))/12
+      : p.area/(4*constant::mathematical::pi);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dew::paraboloidFit::paraboloidFit(const fvMesh& mesh)
@@ -125,11 +137,12 @@ Foam::dew::paraboloidFit::paraboloidFit(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::dew::paraboloidFit::curvature
+bool Foam::dew::paraboloidFit::find
 (
     const planesAround& around,
     const label celli,
-    scalar& K
+    scalar& K,
+    planesAround::plane& surface
 ) const
 {
     around.find(celli, planes_);
@@ -176,10 +189,7 @@ bool Foam::dew::paraboloidFit::curvature
         const scalar x = d & ex;
         const scalar y = d & ey;
         const scalar size = (flat ? length(p)/unit : p.area/largest)*n.z();
-        const scalar m =
-            flat
-          ? sqr(length(p)/unit)/12
-          : p.area/largest/(4*constant::mathematical::pi);
+        const scalar m = moment(p)/largest;
         const scalar w = sqr(size);
 
         if (flat)
@@ -230,25 +240,28 @@ bool Foam::dew::paraboloidFit::curvature
     }
 
     const scalar* a = fit.b;
-    if (!flat)
-    {
-        K =
-           -(
-                (1 + sqr(a[2]))*2*a[3] - 2*a[1]*a[2]*a[4]
-              + (1 + sqr(a[1]))*2*a[5]
-            )/pow3(Foam::sqrt(1 + sqr(a[1]) + sqr(a[2])))/unit;
-        return true;
-    }
+    const scalar ax = a[1];
+    const scalar ay = flat ? 0 : a[2];
+    const scalar axx = 2*(flat ? a[2] : a[3]);
+    const scalar axy = flat ? 0 : a[4];
+    const scalar ayy = flat ? 0 : 2*a[5];
+    const scalar N = Foam::sqrt(1 + sqr(ax) + sqr(ay));
 
-    const scalar N = Foam::sqrt(1 + sqr(a[1]));
-    K = -2*a[2]/pow3(N)/unit;
+    surface.x = own.x + a[0]*unit*ez;
+    surface.n = (ez - ax*ex - ay*ey)/N;
+    surface.bend =
+        symm(axx*ex*ex + axy*(ex*ey + ey*ex) + ayy*ey*ey)/(unit*N);
+
+    K =
+       -(
+            (1 + sqr(ay))*axx - 2*ax*ay*axy + (1 + sqr(ax))*ayy
+        )/pow3(N)/unit;
     if (symmetry_.wedge())
     {
-        const vector n((ez - a[1]*ex)/N);
         const scalar r =
             (symmetry_.radial() & (own.x - symmetry_.origin()))
            /symmetry_.cosHalfAngle();
-        K += (n & symmetry_.radial())/max(r, VSMALL);
+        K += (surface.n & symmetry_.radial())/max(r, VSMALL);
     }
     return true;
 }

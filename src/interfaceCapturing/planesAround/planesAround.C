@@ -19,8 +19,8 @@ namespace
 
 using namespace Foam;
 
-//- x, n, (area 0 0), end, conormal of a plane
-using packed = FixedList<vector, 5>;
+//- x, n, (area 0 0), end, conormal, rows of the bend of a plane
+using packed = FixedList<vector, 8>;
 
 //- Behind a periodic boundary
 struct movePlanes
@@ -44,6 +44,11 @@ struct movePlanes
               : move.invTransformPosition(p[3]);
             p[1] = forward ? (move.R() & p[1]) : (p[1] & move.R());
             p[4] = forward ? (move.R() & p[4]) : (p[4] & move.R());
+            const tensor R(forward ? move.R() : move.R().T());
+            const tensor bend(R & tensor(p[5], p[6], p[7]) & R.T());
+            p[5] = bend.x();
+            p[6] = bend.y();
+            p[7] = bend.z();
         }
     }
 };
@@ -140,6 +145,10 @@ void Foam::dew::planesAround::share()
             sent[i][2].x() = p.area;
             sent[i][3] = p.end;
             sent[i][4] = p.conormal;
+            const tensor bend(p.bend);
+            sent[i][5] = bend.x();
+            sent[i][6] = bend.y();
+            sent[i][7] = bend.z();
         }
     }
     global.globalPointBoundaryCellsMap().distribute
@@ -150,7 +159,11 @@ void Foam::dew::planesAround::share()
     forAll(sent, i)
     {
         const packed& s = sent[i];
-        shared_[i] = {s[0], s[1], s[2].x(), s[3], s[4]};
+        shared_[i] =
+            {
+                s[0], s[1], s[2].x(), s[3], s[4],
+                symm(tensor(s[5], s[6], s[7]))
+            };
     }
 }
 
@@ -169,7 +182,9 @@ void Foam::dew::planesAround::correct
     forAll(own_, i)
     {
         own_[i] =
-            {planes.x()[i], planes.n()[i], planes.area()[i], Zero, Zero};
+            {
+                planes.x()[i], planes.n()[i], planes.area()[i], Zero, Zero, Zero
+            };
         findEnd(planes.cell()[i], angles, own_[i]);
     }
 
