@@ -17,7 +17,8 @@ MODELS = {'divided': {'type': 'divided'}, 'particleCentre': {'type': 'particleCe
           'exactOverlap': {'type': 'exactOverlap'}, 'bigParticle': {'type': 'bigParticle', 'scale': 1.5}}
 
 
-def refined(path, void='divided', n=24, cells=4, seed=3, field='alphac', limits=(0, 0.995), coupling=None, d=8e-4, **control):
+def refined(path, void='divided', n=24, cells=4, seed=3, field='alphac', limits=(0, 0.995), coupling=None, d=8e-4,
+            mesh='rankIndependentRefineFvMesh', **control):
     """Grains of 0.8 mm that fall and drift in a box of water, whose cells are split in 8 where particles are."""
     case = FluidCase(path, upper=(L,)*3, cells=(cells,)*3, tolerance=1e-12, outer=2,
                      **{'deltaT': 2e-3, 'endTime': 0.04, 'writeInterval': 20, **ASCII, **control})
@@ -33,7 +34,7 @@ def refined(path, void='divided', n=24, cells=4, seed=3, field='alphac', limits=
                     'vz': v[:, 2]})
     case.mesh()
     case.write_dict('constant/dynamicMeshDict', {
-        'dynamicFvMesh': 'dynamicRefineFvMesh', 'refineInterval': 1, 'field': field, 'lowerRefineLevel': limits[0],
+        'dynamicFvMesh': mesh, 'refineInterval': 1, 'field': field, 'lowerRefineLevel': limits[0],
         'upperRefineLevel': limits[1], 'unrefineLevel': 10, 'nBufferLayers': 1, 'maxRefinement': 1, 'maxCells': 100000,
         'correctFluxes': '((phi none))', 'dumpLevel': False})
     return case
