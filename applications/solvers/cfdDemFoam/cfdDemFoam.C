@@ -53,6 +53,8 @@ Usage
 
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"
+#include "linearGradient.H"
+#include "meshSymmetry.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
 #include "particleOutput.H"
