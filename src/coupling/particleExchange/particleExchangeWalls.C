@@ -29,10 +29,11 @@ scalar perLayer2(const scalar eps, const scalar stokes)
 }
 
 
-//- Slope at distance x from a wall, over that of the line to it
+//- Slope half way to a wall at distance x, over that of the line to it
 scalar slope(const scalar x)
 {
-    return x > 1e-6 ? x/std::expm1(Foam::min(x, scalar(100))) : 1;
+    const scalar half = 0.5*Foam::min(x, scalar(100));
+    return half > 1e-6 ? half/std::sinh(half) : 1;
 }
 
 } // End anonymous namespace
