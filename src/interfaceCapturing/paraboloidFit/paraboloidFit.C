@@ -91,10 +91,9 @@ Foam::scalar Foam::dew::paraboloidFit::length
         return p.area/thickness_;
     }
 
-    // As wide as the wedge there, but not less than at a thousandth of the
-    // way to the axis
+    // As wide as the wedge there
     const scalar c = symmetry_.cosHalfAngle();
-    const scalar x = symmetry_.radial() & (p.x - symmetry_.origin());
+    const scalar x = mag(symmetry_.radial() & (p.x - symmetry_.origin()));
     return p.area/max(2*x*Foam::sqrt(1 - sqr(c))/c, VSMALL);
 }
 
@@ -108,6 +107,37 @@ Foam::scalar Foam::dew::paraboloidFit::moment
         across_ != vector::zero
       ? sqr(length(p))/12
       : p.area/(4*constant::mathematical::pi);
+}
+
+
+void Foam::dew::paraboloidFit::mirrorAtAxis() const
+{
+    if (!symmetry_.wedge())
+    {
+        return;
+    }
+    const vector& e = symmetry_.radial();
+    const scalar near = 2*length(planes_[0]);
+    const auto radius = [&](const planesAround::plane& p)
+    {
+        return e & (p.x - symmetry_.origin());
+    };
+    if (radius(planes_[0]) > near)
+    {
+        return;
+    }
+    const label n = planes_.size();
+    for (label i = 0; i < n; i++)
+    {
+        if (radius(planes_[i]) < near)
+        {
+            planesAround::plane p(planes_[i]);
+            p.x -= 2*radius(p)*e;
+            p.n -= 2*(p.n & e)*e;
+            p.conormal = Zero;
+            planes_.append(p);
+        }
+    }
 }
 
 
@@ -146,6 +176,7 @@ bool Foam::dew::paraboloidFit::find
 ) const
 {
     around.find(celli, planes_);
+    mirrorAtAxis();
 
     const bool flat = across_ != vector::zero;
     const label nTerms = flat ? 3 : 6;
@@ -154,7 +185,7 @@ bool Foam::dew::paraboloidFit::find
         return false;
     }
 
-    const planesAround::plane& own = planes_[0];
+    const planesAround::plane own = planes_[0];
     const vector& ez = own.n;
     const vector ex
     (

@@ -89,12 +89,13 @@ void Foam::dew::distanceModels::reconstructed::mean
         const scalar bend = t & p.bend & t;
 
         // Levels of psi bend less on the outside of a drop
-        const scalar level = 1 - up*bend/max(magSqr(t), VSMALL);
+        const scalar level =
+            max(1 - up*bend/max(magSqr(t), VSMALL), scalar(0.25));
 
         // Not zero where all planes go through x
         const scalar w = sqr(sqr(up)/max(far, VSMALL)) + SMALL;
-        psi += w*(0.5*bend/max(level, scalar(0.25)) - up);
-        n += w*(p.n - (p.bend & d));
+        psi += w*(0.5*bend/level - up);
+        n += w*normalised(p.n - (p.bend & t)/level);
         sum += w;
         if (far < least)
         {
@@ -347,7 +348,7 @@ void Foam::dew::distanceModels::reconstructed::correct
               - (d & n.boundaryField()[patchi].patchInternalField());
         }
     }
-    normals(psi, nc);
+    if (false) normals(psi, nc);
     n.correctBoundaryConditions();
     forAll(mesh.boundary(), patchi)
     {

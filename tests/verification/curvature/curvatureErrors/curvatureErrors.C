@@ -280,7 +280,11 @@ int main(int argc, char *argv[])
                 flat || surface.symmetry().wedge()
               ? std::sqrt(mesh.V()[celli]/thickness)
               : std::cbrt(mesh.V()[celli]);
-            const vector out(mesh.C()[celli] - centre);
+            vector out(mesh.C()[celli] - centre);
+            if (surface.symmetry().wedge())
+            {
+                out.x() /= surface.symmetry().cosHalfAngle();
+            }
             const scalar psi = R - mag(out);
             if (mag(psi) < 3*dx)
             {
