@@ -103,7 +103,10 @@ void Foam::dew::cellColumns::chooseAxes()
     const label first = returnReduce(rank, minOp<label>());
     if (first == Pstream::nProcs())
     {
-        axes = vectorField{vector(1, 0, 0), vector(0, 1, 0), vector(0, 0, 1)};
+        for (label k = 0; k < 3; k++)
+        {
+            axes[k][k] = 1;
+        }
     }
     else
     {
@@ -192,8 +195,8 @@ void Foam::dew::cellColumns::measure()
 
     forAll(width_, celli)
     {
-        FixedList<scalar, 6> at(0);
-        FixedList<label, 6> n(0);
+        FixedList<scalar, 6> at(scalar(0));
+        FixedList<label, 6> n(label(0));
         bool fits = true;
 
         for (const label facei : mesh_.cells()[celli])

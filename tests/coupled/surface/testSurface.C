@@ -76,14 +76,11 @@ int main(int argc, char *argv[])
     const IOdictionary test(read("testProperties"));
     const scalarList lost(test.get<scalarList>("lost"));
 
-    autoPtr<dew::surfaceMotion> motionPtr
+    autoPtr<dew::surfaceShape> motionPtr
     (
-        dew::surfaceMotion::New
-        (
-            mesh, properties.get<word>("liquid"), properties
-        )
+        dew::surfaceMotion::New<dew::surfaceShape>(mesh, properties)
     );
-    dew::surfaceMotion& motion = motionPtr();
+    dew::surfaceShape& motion = motionPtr();
     const auto shape = [&]() -> dew::surfaceMotions::quasiStatic::shape
     {
         if (isA<dew::surfaceMotions::quasiStatic>(motion))

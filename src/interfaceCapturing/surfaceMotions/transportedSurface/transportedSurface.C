@@ -187,4 +187,7 @@ void Foam::dew::transportedSurface::report(Ostream& os) const
 
     os  << alpha_.name() << ": volume " << volume_ << " m3, from " << low
         << " to 1 " << (high < 1 ? "- " : "+ ") << mag(high - 1) << endl;
+
+    distance_->report(os);
+    curvatureModel_->report(os);
 }

@@ -1,0 +1,336 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "reconstructed.H"
+#include "addToRunTimeSelectionTable.H"
+#include "syncTools.H"
+#include "transportedSurface.H"
+#include "userEntry.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+namespace distanceModels
+{
+    defineTypeName(reconstructed);
+    addToRunTimeSelectionTable(distanceModel, reconstructed, dictionary);
+}
+}
+}
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- On each side of the crossed cells
+constexpr Foam::label nLayers = 4;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::distanceModels::reconstructed::reconstructed
+(
+    const transportedSurface& surface,
+    const dictionary& dict
+)
+:
+    distanceModel(surface),
+    around_(surface.mesh()),
+    cells_(nLayers + 1)
+{
+    userEntry::onlyThese(dict, {"type"});
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::distanceModels::reconstructed::mean
+(
+    const label celli,
+    const UList<planesAround::plane>& planes,
+    scalar& psi,
+    vector& n
+)
+{
+    const point& x = surface_.mesh().C()[celli];
+    scalar sum = 0;
+    scalar least = GREAT;
+    psi = 0;
+    n = Zero;
+    for (const planesAround::plane& p : planes)
+    {
+        const vector d(x - p.x);
+        const scalar far = magSqr(d);
+        const scalar off = -(p.n & d);
+
+        // Not zero where all planes go through x
+        const scalar w = sqr(off)/max(far, VSMALL) + SMALL;
+        psi += w*off;
+        n += w*p.n;
+        sum += w;
+        if (far < least)
+        {
+            least = far;
+            closest_[celli] = p;
+        }
+    }
+    psi /= sum;
+    n /= mag(n);
+}
+
+
+void Foam::dew::distanceModels::reconstructed::nextLayer
+(
+    const label layer,
+    scalarField& psi,
+    vectorField& n
+)
+{
+    const fvMesh& mesh = surface_.mesh();
+    const label nInternal = mesh.nInternalFaces();
+
+    // What is behind coupled boundaries
+    const label nBoundary = mesh.nBoundaryFaces();
+    pointField x(nBoundary, Zero);
+    vectorField nx(nBoundary, Zero);
+    scalarField area(nBoundary, Zero);
+    bool coupled = false;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (patch.coupled())
+        {
+            coupled = true;
+            forAll(patch, i)
+            {
+                const label celli = patch.faceCells()[i];
+                const label facei = patch.start() + i - nInternal;
+                if (layer_[celli] > 0)
+                {
+                    x[facei] = closest_[celli].x;
+                    nx[facei] = closest_[celli].n;
+                    area[facei] = closest_[celli].area;
+                }
+                else
+                {
+                    x[facei] = mesh.C()[celli];
+                }
+            }
+        }
+    }
+    if (returnReduce(coupled, orOp<bool>()))
+    {
+        syncTools::swapBoundaryFacePositions(mesh, x);
+        syncTools::swapBoundaryFaceList(mesh, nx);
+        syncTools::swapBoundaryFaceList(mesh, area);
+    }
+
+    DynamicList<label>& fresh = cells_[layer];
+    fresh.clear();
+    for (const label celli : cells_[layer - 1])
+    {
+        for (const label next : mesh.cellCells()[celli])
+        {
+            if (layer_[next] == 0)
+            {
+                layer_[next] = layer;
+                fresh.append(next);
+            }
+        }
+    }
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (patch.coupled())
+        {
+            forAll(patch, i)
+            {
+                const label celli = patch.faceCells()[i];
+                if
+                (
+                    layer_[celli] == 0
+                 && area[patch.start() + i - nInternal] > 0
+                )
+                {
+                    layer_[celli] = layer;
+                    fresh.append(celli);
+                }
+            }
+        }
+    }
+
+    DynamicList<planesAround::plane> planes;
+    const auto add = [&](const planesAround::plane& p)
+    {
+        for (const planesAround::plane& q : planes)
+        {
+            if (magSqr(p.x - q.x) < 1e-12*p.area)
+            {
+                return;
+            }
+        }
+        planes.append(p);
+    };
+    for (const label celli : fresh)
+    {
+        planes.clear();
+        for (const label facei : mesh.cells()[celli])
+        {
+            if (mesh.isInternalFace(facei))
+            {
+                const label next =
+                    mesh.owner()[facei] == celli
+                  ? mesh.neighbour()[facei]
+                  : mesh.owner()[facei];
+                if (layer_[next] > 0 && layer_[next] < layer)
+                {
+                    add(closest_[next]);
+                }
+            }
+            else if (area[facei - nInternal] > 0)
+            {
+                const label i = facei - nInternal;
+                add({x[i], nx[i], area[i]});
+            }
+        }
+        mean(celli, planes, psi[celli], n[celli]);
+    }
+}
+
+
+void Foam::dew::distanceModels::reconstructed::normals
+(
+    const volScalarField& psi,
+    vectorField& n
+) const
+{
+    const fvMesh& mesh = surface_.mesh();
+    const surfaceScalarField& weights = mesh.weights();
+
+    for (label layer = 1; layer < nLayers; layer++)
+    {
+        for (const label celli : cells_[layer])
+        {
+            vector grad(Zero);
+            bool whole = true;
+            for (const label facei : mesh.cells()[celli])
+            {
+                if (mesh.isInternalFace(facei))
+                {
+                    const label own = mesh.owner()[facei];
+                    const label nei = mesh.neighbour()[facei];
+                    whole = whole && layer_[own] > 0 && layer_[nei] > 0;
+                    const scalar w = weights[facei];
+                    const vector part
+                    (
+                        (w*psi[own] + (1 - w)*psi[nei])*mesh.Sf()[facei]
+                    );
+                    grad += own == celli ? part : -part;
+                }
+                else
+                {
+                    const label patchi = mesh.boundaryMesh().whichPatch(facei);
+                    const fvPatch& patch = mesh.boundary()[patchi];
+                    const label i = facei - patch.start();
+                    if (patch.size() == 0)
+                    {
+                        continue;
+                    }
+                    scalar value = psi.boundaryField()[patchi][i];
+                    if (patch.coupled())
+                    {
+                        const scalar w = weights.boundaryField()[patchi][i];
+                        value = w*psi[celli] + (1 - w)*value;
+                    }
+                    grad += value*patch.Sf()[i];
+                }
+            }
+            const scalar size = mag(grad);
+            if (whole && size > 0.5*mesh.V()[celli])
+            {
+                n[celli] = -grad/size;
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::distanceModels::reconstructed::correct
+(
+    volScalarField& psi,
+    volVectorField& n
+)
+{
+    const fvMesh& mesh = surface_.mesh();
+    scalarField& psic = psi.primitiveFieldRef();
+    vectorField& nc = n.primitiveFieldRef();
+
+    around_.correct(surface_.planes());
+    layer_.setSize(mesh.nCells());
+    layer_ = 0;
+    closest_.setSize(mesh.nCells());
+    nc = Zero;
+
+    around_.findNextTo(layer_, cells_[1]);
+    DynamicList<planesAround::plane> planes;
+    for (const label celli : cells_[1])
+    {
+        around_.find(celli, planes);
+        mean(celli, planes, psic[celli], nc[celli]);
+    }
+    for (label layer = 2; layer <= nLayers; layer++)
+    {
+        nextLayer(layer, psic, nc);
+    }
+
+    // Beyond the band
+    scalar width = 0;
+    for (const DynamicList<label>& cells : cells_)
+    {
+        for (const label celli : cells)
+        {
+            width = max(width, mag(psic[celli]));
+        }
+    }
+    reduce(width, maxOp<scalar>());
+    forAll(psic, celli)
+    {
+        if (layer_[celli] == 0)
+        {
+            psic[celli] = surface_.alpha()[celli] > 0.5 ? width : -width;
+        }
+    }
+
+    // At boundaries, by the plane
+    psi.correctBoundaryConditions();
+    forAll(mesh.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+        if (!patch.coupled())
+        {
+            const vectorField d(patch.Cf() - patch.Cn());
+            psi.boundaryFieldRef()[patchi] ==
+                psi.boundaryField()[patchi].patchInternalField()
+              - (d & n.boundaryField()[patchi].patchInternalField());
+        }
+    }
+    normals(psi, nc);
+    n.correctBoundaryConditions();
+    forAll(mesh.boundary(), patchi)
+    {
+        if (!mesh.boundary()[patchi].coupled())
+        {
+            n.boundaryFieldRef()[patchi] ==
+                n.boundaryField()[patchi].patchInternalField();
+        }
+    }
+}
