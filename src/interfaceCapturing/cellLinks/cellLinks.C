@@ -7,6 +7,7 @@
 #include "cellLinks.H"
 #include "emptyPolyPatch.H"
 #include "fvMesh.H"
+#include "volFields.H"
 #include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -20,7 +21,7 @@ void Foam::dew::cellLinks::append
 {
     const label first = link_.size();
     const point& C = mesh_.C()[celli];
-    tensor D(Zero);
+    symmTensor D(Zero);
 
     for (const label facei : mesh_.cells()[celli])
     {
@@ -69,7 +70,7 @@ void Foam::dew::cellLinks::append
     }
 
     // What no link reaches stays zero
-    const tensor inverse(inv(D + 1e-9*tensor::I));
+    const symmTensor inverse(inv(D + 1e-9*symmTensor::I));
     for (label i = first; i < link_.size(); i++)
     {
         link_[i].w = inverse & (link_[i].d/magSqr(link_[i].d));
