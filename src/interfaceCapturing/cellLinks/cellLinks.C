@@ -5,10 +5,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellLinks.H"
-#include "emptyPolyPatch.H"
+#include "emptyFvPatch.H"
 #include "fvMesh.H"
 #include "volFields.H"
-#include "wedgePolyPatch.H"
+#include "wedgeFvPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -27,7 +27,7 @@ void Foam::dew::cellLinks::append
     {
         link l;
         l.face = facei;
-        l.patch = -1;
+        l.patch = unknown;
         l.toFace = mesh_.faceCentres()[facei] - C;
         l.S = mesh_.faceAreas()[facei];
 
@@ -36,12 +36,9 @@ void Foam::dew::cellLinks::append
             const bool own = mesh_.faceOwner()[facei] == celli;
             l.cell =
                 own ? mesh_.faceNeighbour()[facei] : mesh_.faceOwner()[facei];
-            if (usable[l.cell] < 0)
-            {
-                continue;
-            }
             l.d = mesh_.C()[l.cell] - C;
             l.S = own ? l.S : -l.S;
+            l.patch = usable[l.cell] < 0 ? unknown : inside;
         }
         else
         {
@@ -49,12 +46,15 @@ void Foam::dew::cellLinks::append
             const label patchi = mesh_.boundaryMesh().patchID()[k];
             const fvPatch& patch = mesh_.boundary()[patchi];
             l.cell = -1 - k;
-            if (!faces[k])
+            if (isA<emptyFvPatch>(patch) || isA<wedgeFvPatch>(patch))
             {
                 continue;
             }
-            l.patch = patch.coupled() ? -1 : patchi;
             l.d = patch.coupled() ? toBehind_[k] : l.toFace;
+            l.patch =
+                !faces[k] ? label(unknown)
+              : patch.coupled() ? label(inside)
+              : patchi;
         }
         l.toFaceBack = l.toFace - l.d;
 
@@ -65,7 +65,10 @@ void Foam::dew::cellLinks::append
                 l.d[i] = l.toFace[i] = l.toFaceBack[i] = l.S[i] = 0;
             }
         }
-        D += sqr(l.d)/magSqr(l.d);
+        if (l.patch != unknown)
+        {
+            D += sqr(l.d)/magSqr(l.d);
+        }
         link_.append(l);
     }
 
@@ -73,7 +76,11 @@ void Foam::dew::cellLinks::append
     const symmTensor inverse(inv(D + 1e-9*symmTensor::I));
     for (label i = first; i < link_.size(); i++)
     {
-        link_[i].w = inverse & (link_[i].d/magSqr(link_[i].d));
+        link& l = link_[i];
+        l.w =
+            l.patch == unknown
+          ? vector(Zero)
+          : inverse & (l.d/magSqr(l.d));
     }
 }
 
@@ -186,8 +193,6 @@ void Foam::dew::cellLinks::set
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
         const label first = patch.start() - mesh_.nInternalFaces();
-        const bool flat =
-            isA<emptyPolyPatch>(patch) || isA<wedgePolyPatch>(patch);
         if (patch.coupled())
         {
             SubList<vector>(toBehind_, patch.size(), first) =
@@ -199,7 +204,7 @@ void Foam::dew::cellLinks::set
             (
                 first + i,
                 patch.coupled() ? behind[first + i] >= 0
-              : !flat && faces[first + i]
+              : faces[first + i]
             );
         }
     }

@@ -55,6 +55,10 @@ Foam::tensor Foam::dew::curvatureModels::levelSet::gradientOfNormal
     tensor gradn(Zero);
     for (const cellLinks::link& l : cells_.of(i))
     {
+        if (l.patch == cellLinks::unknown)
+        {
+            continue;
+        }
         const vector other
         (
             l.patch >= 0 ? wallContact::normal(surface_, l, n[celli])

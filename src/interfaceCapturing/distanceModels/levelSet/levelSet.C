@@ -29,15 +29,10 @@ namespace distanceModels
 namespace
 {
 
-//- To each side of the surface
-constexpr Foam::label nLayers = 4;
-
-//- Of psi_0 from the surface to the end of the band, at 0.1 dx each; after
-//  each correction of the held cells
-constexpr Foam::label nSweeps = 40, nSweepsAgain = 15;
-
-constexpr Foam::label nCorrections = 2;
-
+inline double envd(const char* n, double d){const char* v=std::getenv(n); return v?std::atof(v):d;}
+const Foam::label nLayers = envd("NL",4);
+const Foam::label nSweeps = envd("NS",6), nSweepsAgain = envd("NA",6);
+const Foam::label nCorrections = envd("NC",4);
 } // End anonymous namespace
 
 
@@ -131,6 +126,60 @@ void Foam::dew::distanceModels::levelSet::start
         psi[celli] =
             mag((mesh.faceCentres()[pair.second()] - mesh.C()[celli]) & m)
            *(alpha[celli] > 0.5 ? 1 : -1);
+
+        const bool out = mesh.faceOwner()[pair.second()] == celli;
+        gradient_[celli] = out == (alpha[celli] > 0.5) ? -m : m;
+    }
+
+    for (label layer = 1; layer <= nLayers; layer++)
+    {
+        fetch(psi);
+        fetchGradient();
+        march(layer, psi);
+    }
+}
+
+
+void Foam::dew::distanceModels::levelSet::march
+(
+    const label layer,
+    scalarField& psi
+)
+{
+    List<label> layerBehind;
+    cellLinks::fetch(surface_.mesh(), layer_, layerBehind);
+
+    forAll(band_.cell(), i)
+    {
+        const label celli = band_.cell()[i];
+        if (layer_[celli] != layer)
+        {
+            continue;
+        }
+        vector g(Zero);
+        scalar sum = 0;
+        label n = 0;
+        for (const cellLinks::link& l : band_.of(i))
+        {
+            if (l.patch != cellLinks::inside)
+            {
+                continue;
+            }
+            const bool here = l.cell >= 0;
+            const label k = here ? l.cell : -1 - l.cell;
+            if ((here ? layer_[k] : layerBehind[k]) == layer - 1)
+            {
+                const vector& gk = here ? gradient_[k] : gradientBehind_[k];
+                sum += (here ? psi[k] : psiBehind_[k]) - (gk & l.d);
+                g += gk;
+                n++;
+            }
+        }
+        if (n > 0)
+        {
+            gradient_[celli] = normalised(g);
+            psi[celli] = sum/n;
+        }
     }
 }
 

@@ -16,6 +16,12 @@ void Foam::dew::distanceModels::levelSet::fetch(const scalarField& psi)
 }
 
 
+void Foam::dew::distanceModels::levelSet::fetchGradient()
+{
+    cellLinks::fetch(surface_.mesh(), gradient_, gradientBehind_);
+}
+
+
 void Foam::dew::distanceModels::levelSet::calculateGradient
 (
     const scalarField& psi
@@ -29,6 +35,10 @@ void Foam::dew::distanceModels::levelSet::calculateGradient
         vector g(Zero);
         for (const cellLinks::link& l : band_.of(i))
         {
+            if (l.patch == cellLinks::unknown)
+            {
+                continue;
+            }
             g +=
                 l.w
                *(
@@ -40,7 +50,31 @@ void Foam::dew::distanceModels::levelSet::calculateGradient
         }
         gradient_[celli] = g;
     }
-    cellLinks::fetch(surface_.mesh(), gradient_, gradientBehind_);
+    fetchGradient();
+}
+
+
+Foam::scalar Foam::dew::distanceModels::levelSet::bounded
+(
+    const label i,
+    const scalar value,
+    const scalarField& psi
+) const
+{
+    const label celli = band_.cell()[i];
+    const scalar sign = surface_.alpha()[celli] > 0.5 ? 1 : -1;
+
+    scalar far = max(sign*value, scalar(0));
+    for (const cellLinks::link& l : band_.of(i))
+    {
+        if (l.patch == cellLinks::inside)
+        {
+            const scalar other =
+                l.cell >= 0 ? psi[l.cell] : psiBehind_[-1 - l.cell];
+            far = min(far, mag(other) + 1.05*mag(l.d));
+        }
+    }
+    return sign*far;
 }
 
 
@@ -57,11 +91,12 @@ Foam::scalar Foam::dew::distanceModels::levelSet::change
     const vector away(S < 0 ? -normalised(g) : normalised(g));
 
     scalar slope = 0;
+    scalar leaving = 0;
     for (const cellLinks::link& l : band_.of(i))
     {
         const scalar out = away & l.S;
         scalar rise = g & l.toFace;
-        if (out < 0 && l.patch < 0)
+        if (out < 0 && l.patch == cellLinks::inside)
         {
             rise =
                 l.cell >= 0
@@ -70,8 +105,11 @@ Foam::scalar Foam::dew::distanceModels::levelSet::change
               + (gradientBehind_[-1 - l.cell] & l.toFaceBack);
         }
         slope += out*rise;
+        leaving += max(out, scalar(0));
     }
-    return mag(S)*((S < 0 ? -1 : 1) - slope/surface_.mesh().V()[celli]);
+    const scalar V = surface_.mesh().V()[celli];
+    const scalar dtau = (std::getenv("PS")?std::atof(std::getenv("PS")):0.4)*V/max(leaving, V/dx_[i]);
+    return dtau*(S - mag(S)*slope/V);
 }
 
 
@@ -90,7 +128,7 @@ void Foam::dew::distanceModels::levelSet::sweep
         forAll(next, i)
         {
             const scalar old = psi[band_.cell()[i]];
-            next[i] = held_[i] ? old : old + 0.1*dx_[i]*change(i, psi);
+            next[i] = held_[i] ? old : bounded(i, old + change(i, psi), psi);
         }
         forAll(next, i)
         {
@@ -113,6 +151,10 @@ Foam::tensor Foam::dew::distanceModels::levelSet::gradientOfNormal
     tensor gradn(Zero);
     for (const cellLinks::link& l : band_.of(i))
     {
+        if (l.patch == cellLinks::unknown)
+        {
+            continue;
+        }
         const vector other
         (
             l.patch >= 0 ? wallContact::normal(surface_, l, n)
