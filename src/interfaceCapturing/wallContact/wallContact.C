@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallContact.H"
+#include "mathematicalConstants.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
 #include "transportedSurface.H"
@@ -144,21 +145,34 @@ Foam::vector Foam::dew::wallContact::normal
 (
     const transportedSurface& surface,
     const cellLinks::link& l,
-    const vector& n
+    const scalar psi,
+    const vector& n,
+    const tensor& gradn
 )
 {
+    const polyPatch& patch = surface.mesh().boundaryMesh()[l.patch];
     const vector m(normalised(l.S));
-    const vector t(n - (n & m)*m);
-    const scalar size = mag(t);
+    const vector across(n - (n & m)*m);
+    const scalar size = mag(across);
     if (size < SMALL)
     {
         return n;
     }
-    if (!surface.angles().has(l.patch))
+    const vector t(across/size);
+    if (isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch))
     {
-        return t/size;
+        return t;
     }
-    const label i = l.face - surface.mesh().boundaryMesh()[l.patch].start();
-    const scalar theta = surface.angles().theta(l.patch)[i];
-    return t/size*Foam::sin(theta) - m*Foam::cos(theta);
+
+    scalar theta = 0.5*constant::mathematical::pi;
+    if (surface.angles().has(l.patch))
+    {
+        theta = surface.angles().theta(l.patch)[l.face - patch.start()];
+    }
+    const vector there(t*Foam::sin(theta) - m*Foam::cos(theta));
+
+    // From the contact line to the centre of the face
+    scalar s = ((l.toFace & n) - psi)/size;
+    const scalar XX=std::getenv("X3")?std::atof(std::getenv("X3")):8; s = max(min(s, XX*mag(l.d)), -XX*mag(l.d));
+    return normalised(there + s*(t & gradn));
 }

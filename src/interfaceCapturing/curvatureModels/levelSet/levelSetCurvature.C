@@ -52,20 +52,31 @@ Foam::tensor Foam::dew::curvatureModels::levelSet::gradientOfNormal
     const label celli = cells_.cell()[i];
     const vectorField& n = surface_.n().primitiveField();
 
+    const scalar psi = surface_.psi()[celli];
     tensor gradn(Zero);
-    for (const cellLinks::link& l : cells_.of(i))
+
+    // The normal at a contact line needs gradn
+    bool atContact = false;
+    for (label step = 0; step == 0 || (atContact && step < 10); step++)
     {
-        if (l.patch == cellLinks::unknown)
+        const tensor old(gradn);
+        gradn = Zero;
+        for (const cellLinks::link& l : cells_.of(i))
         {
-            continue;
+            if (l.patch == cellLinks::unknown)
+            {
+                continue;
+            }
+            const vector other
+            (
+                l.patch >= 0
+              ? wallContact::normal(surface_, l, psi, n[celli], old)
+              : l.cell >= 0 ? n[l.cell]
+              : behind[-1 - l.cell]
+            );
+            gradn += l.w*(other - n[celli]);
+            atContact = atContact || l.patch >= 0;
         }
-        const vector other
-        (
-            l.patch >= 0 ? wallContact::normal(surface_, l, n[celli])
-          : l.cell >= 0 ? n[l.cell]
-          : behind[-1 - l.cell]
-        );
-        gradn += l.w*(other - n[celli]);
     }
     if (symmetry_.wedge())
     {
@@ -101,7 +112,7 @@ void Foam::dew::curvatureModels::levelSet::calculate
     {
         usable[celli] = n[celli] == vector(Zero) ? -1 : 0;
     }
-    cells_.set(cells, usable, wallContact::faces(surface_, pairs, 1));
+    cells_.set(cells, usable, wallContact::faces(surface_, pairs, 2));
 
     List<vector> behind;
     cellLinks::fetch(mesh, n, behind);
@@ -115,6 +126,7 @@ void Foam::dew::curvatureModels::levelSet::calculate
         const scalar G = 0.5*(sqr(k) - (gradn && gradn.T()));
         const scalar spread = 1 + psi*k + sqr(psi)*G;
 
+if(std::getenv("X1")&&mesh.C()[celli].y()<4.*cellLinks::width(mesh,celli)) Info<<"DBG "<<mesh.C()[celli].x()<<' '<<mesh.C()[celli].y()<<' '<<surface_.alpha()[celli]<<' '<<psi<<' '<<n[celli].x()<<' '<<n[celli].y()<<' '<<(k + 2*psi*G)/spread<<' '<<gradn.xx()<<' '<<gradn.xy()<<' '<<gradn.yx()<<' '<<gradn.yy()<<endl;
         known[celli] = usable[celli] == 0 && spread > 0;
         K[celli] = known[celli] ? (k + 2*psi*G)/spread : 0;
     }

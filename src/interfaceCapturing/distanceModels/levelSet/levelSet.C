@@ -83,15 +83,30 @@ void Foam::dew::distanceModels::levelSet::setBand
     }
     band_.set
     (
-        cells, layer_, wallContact::faces(surface_, betweenFaces, nLayers)
+        cells, layer_, wallContact::faces(surface_, betweenFaces, envd("X2",0))
     );
 
     dx_.setSize(cells.size());
     held_.setSize(cells.size());
+    gradn_.setSize(mesh.nCells());
+    gradn_ = Zero;
     forAll(cells, i)
     {
         dx_[i] = cellLinks::width(mesh, cells[i]);
         held_[i] = layer_[cells[i]] == 0;
+    }
+
+    atWalls_.clear();
+    forAll(cells, i)
+    {
+        for (const cellLinks::link& l : band_.of(i))
+        {
+            if (l.patch >= 0)
+            {
+                atWalls_.append(i);
+                break;
+            }
+        }
     }
 }
 
@@ -190,6 +205,7 @@ void Foam::dew::distanceModels::levelSet::hold(scalarField& psi)
     const interfacePlanes& planes = surface_.planes();
     const scalarField& alpha = surface_.alpha().primitiveField();
 
+    calculateGradientOfNormal(psi);
     forAll(band_.cell(), i)
     {
         const label celli = band_.cell()[i];
@@ -200,7 +216,7 @@ void Foam::dew::distanceModels::levelSet::hold(scalarField& psi)
             continue;
         }
         const point& C = mesh.C()[celli];
-        const tensor gradn(gradientOfNormal(i));
+        const tensor& gradn = gradn_[celli];
         const vector n
         (
             normalised

@@ -43,7 +43,7 @@ void Foam::dew::distanceModels::levelSet::calculateGradient
                 l.w
                *(
                     l.patch >= 0
-                  ? -(wallContact::normal(surface_, l, n) & l.d)
+                  ? -(wallContact::normal(surface_, l, psi[celli], n, gradn_[celli]) & l.d)
                   : (l.cell >= 0 ? psi[l.cell] : psiBehind_[-1 - l.cell])
                   - psi[celli]
                 );
@@ -142,7 +142,8 @@ void Foam::dew::distanceModels::levelSet::sweep
 
 Foam::tensor Foam::dew::distanceModels::levelSet::gradientOfNormal
 (
-    const label i
+    const label i,
+    const scalarField& psi
 ) const
 {
     const label celli = band_.cell()[i];
@@ -157,11 +158,61 @@ Foam::tensor Foam::dew::distanceModels::levelSet::gradientOfNormal
         }
         const vector other
         (
-            l.patch >= 0 ? wallContact::normal(surface_, l, n)
+            l.patch >= 0
+          ? wallContact::normal(surface_, l, psi[celli], n, gradn_[celli])
           : l.cell >= 0 ? -normalised(gradient_[l.cell])
           : -normalised(gradientBehind_[-1 - l.cell])
         );
         gradn += l.w*(other - n);
     }
     return gradn;
+}
+
+
+void Foam::dew::distanceModels::levelSet::calculateGradientOfNormal
+(
+    const scalarField& psi
+)
+{
+    forAll(band_.cell(), i)
+    {
+        if (held_[i])
+        {
+            gradn_[band_.cell()[i]] = gradientOfNormal(i, psi);
+        }
+    }
+
+    // At walls away from the contact line, that of the surface
+    List<label> layerBehind;
+    cellLinks::fetch(surface_.mesh(), layer_, layerBehind);
+    List<tensor> gradnBehind;
+    for (label layer = 1; layer <= 4; layer++)
+    {
+        cellLinks::fetch(surface_.mesh(), gradn_, gradnBehind);
+        for (const label i : atWalls_)
+        {
+            const label celli = band_.cell()[i];
+            if (layer_[celli] != layer)
+            {
+                continue;
+            }
+            tensor sum(Zero);
+            label n = 0;
+            for (const cellLinks::link& l : band_.of(i))
+            {
+                if (l.patch != cellLinks::inside)
+                {
+                    continue;
+                }
+                const bool here = l.cell >= 0;
+                const label k = here ? l.cell : -1 - l.cell;
+                if ((here ? layer_[k] : layerBehind[k]) == layer - 1)
+                {
+                    sum += here ? gradn_[k] : gradnBehind[k];
+                    n++;
+                }
+            }
+            gradn_[celli] = sum/max(n, 1);
+        }
+    }
 }
