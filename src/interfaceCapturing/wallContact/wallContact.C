@@ -173,6 +173,6 @@ Foam::vector Foam::dew::wallContact::normal
 
     // From the contact line to the centre of the face
     scalar s = ((l.toFace & n) - psi)/size;
-    const scalar XX=std::getenv("X3")?std::atof(std::getenv("X3")):8; s = max(min(s, XX*mag(l.d)), -XX*mag(l.d));
+    s = max(min(s, 8*mag(l.d)), -8*mag(l.d));
     return normalised(there + s*(t & gradn));
 }

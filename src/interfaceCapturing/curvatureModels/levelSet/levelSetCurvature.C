@@ -126,7 +126,6 @@ void Foam::dew::curvatureModels::levelSet::calculate
         const scalar G = 0.5*(sqr(k) - (gradn && gradn.T()));
         const scalar spread = 1 + psi*k + sqr(psi)*G;
 
-if(std::getenv("X1")&&mesh.C()[celli].y()<4.*cellLinks::width(mesh,celli)) Info<<"DBG "<<mesh.C()[celli].x()<<' '<<mesh.C()[celli].y()<<' '<<surface_.alpha()[celli]<<' '<<psi<<' '<<n[celli].x()<<' '<<n[celli].y()<<' '<<(k + 2*psi*G)/spread<<' '<<gradn.xx()<<' '<<gradn.xy()<<' '<<gradn.yx()<<' '<<gradn.yy()<<endl;
         known[celli] = usable[celli] == 0 && spread > 0;
         K[celli] = known[celli] ? (k + 2*psi*G)/spread : 0;
     }

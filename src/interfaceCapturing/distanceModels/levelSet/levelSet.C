@@ -29,10 +29,11 @@ namespace distanceModels
 namespace
 {
 
-inline double envd(const char* n, double d){const char* v=std::getenv(n); return v?std::atof(v):d;}
-const Foam::label nLayers = envd("NL",4);
-const Foam::label nSweeps = envd("NS",6), nSweepsAgain = envd("NA",6);
-const Foam::label nCorrections = envd("NC",4);
+//- Of the pseudo-time: from the start, after each change of the held cells
+constexpr Foam::label nSweeps = 6, nSweepsAgain = 4;
+
+constexpr Foam::label nCorrections = 4;
+
 } // End anonymous namespace
 
 
@@ -83,7 +84,7 @@ void Foam::dew::distanceModels::levelSet::setBand
     }
     band_.set
     (
-        cells, layer_, wallContact::faces(surface_, betweenFaces, envd("X2",0))
+        cells, layer_, wallContact::faces(surface_, betweenFaces, nLayers)
     );
 
     dx_.setSize(cells.size());

@@ -108,7 +108,7 @@ Foam::scalar Foam::dew::distanceModels::levelSet::change
         leaving += max(out, scalar(0));
     }
     const scalar V = surface_.mesh().V()[celli];
-    const scalar dtau = (std::getenv("PS")?std::atof(std::getenv("PS")):0.4)*V/max(leaving, V/dx_[i]);
+    const scalar dtau = 0.4*V/max(leaving, V/dx_[i]);
     return dtau*(S - mag(S)*slope/V);
 }
 
@@ -186,7 +186,7 @@ void Foam::dew::distanceModels::levelSet::calculateGradientOfNormal
     List<label> layerBehind;
     cellLinks::fetch(surface_.mesh(), layer_, layerBehind);
     List<tensor> gradnBehind;
-    for (label layer = 1; layer <= 4; layer++)
+    for (label layer = 1; layer <= nLayers; layer++)
     {
         cellLinks::fetch(surface_.mesh(), gradn_, gradnBehind);
         for (const label i : atWalls_)
