@@ -6,6 +6,7 @@
 
 #include "planesAround.H"
 #include "globalMeshData.H"
+#include "mathematicalConstants.H"
 #include "globalIndex.H"
 #include "globalIndexAndTransform.H"
 #include "mapDistribute.H"
@@ -18,8 +19,8 @@ namespace
 
 using namespace Foam;
 
-//- x, n and area (area 0 0) of a plane
-using packed = FixedList<vector, 3>;
+//- x, n, (area 0 0), end, conormal, rows of the bend of a plane
+using packed = FixedList<vector, 8>;
 
 //- Behind a periodic boundary
 struct movePlanes
@@ -37,7 +38,17 @@ struct movePlanes
                 forward
               ? move.transformPosition(p[0])
               : move.invTransformPosition(p[0]);
+            p[3] =
+                forward
+              ? move.transformPosition(p[3])
+              : move.invTransformPosition(p[3]);
             p[1] = forward ? (move.R() & p[1]) : (p[1] & move.R());
+            p[4] = forward ? (move.R() & p[4]) : (p[4] & move.R());
+            const tensor R(forward ? move.R() : move.R().T());
+            const tensor bend(R & tensor(p[5], p[6], p[7]) & R.T());
+            p[5] = bend.x();
+            p[6] = bend.y();
+            p[7] = bend.z();
         }
     }
 };
@@ -67,23 +78,57 @@ const Foam::labelUList& Foam::dew::planesAround::cellPoints
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::dew::planesAround::correct(const interfacePlanes& planes)
+void Foam::dew::planesAround::findEnd
+(
+    const label celli,
+    const contactAngles& angles,
+    plane& p
+) const
 {
-    planes_ = &planes;
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const label patchi =
+            mesh_.isInternalFace(facei)
+          ? -1 : mesh_.boundaryMesh().whichPatch(facei);
+        if
+        (
+            patchi < 0 || mesh_.boundaryMesh()[patchi].coupled()
+         || polyPatch::constraintType(mesh_.boundaryMesh()[patchi].type())
+        )
+        {
+            continue;
+        }
 
-    coupled_ = false;
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        coupled_ = coupled_ || patch.coupled();
-    }
-    coupled_ = returnReduce(coupled_, orOp<bool>());
-    if (!coupled_)
-    {
+        bool in = false;
+        bool out = false;
+        for (const label pointi : mesh_.faces()[facei])
+        {
+            ((p.n & (mesh_.points()[pointi] - p.x)) > 0 ? out : in) = true;
+        }
+        const vector m(normalised(mesh_.faceAreas()[facei]));
+        const vector along(p.n - (p.n & m)*m);
+        const scalar slope = mag(along);
+        if (!in || !out || slope < 1e-6)
+        {
+            continue;
+        }
+
+        // Along the plane to the wall; there by the angle
+        const scalar theta =
+            angles.has(patchi)
+          ? angles.theta(patchi)[facei - mesh_.boundaryMesh()[patchi].start()]
+          : 0.5*constant::mathematical::pi;
+        const vector t(along/slope);
+        const vector down((m - (m & p.n)*p.n)/slope);
+        p.end = p.x + ((mesh_.faceCentres()[facei] - p.x) & m)/slope*down;
+        p.conormal = m*Foam::sin(theta) + t*Foam::cos(theta);
         return;
     }
+}
 
+
+void Foam::dew::planesAround::share()
+{
     const globalMeshData& global = mesh_.globalData();
     const labelList& cells = global.boundaryCells();
 
@@ -91,12 +136,19 @@ void Foam::dew::planesAround::correct(const interfacePlanes& planes)
     List<packed> sent(nOwnShared_, packed(vector::zero));
     forAll(cells, i)
     {
-        const label p = planes.of(cells[i]);
-        if (p >= 0)
+        const label number = planes_->of(cells[i]);
+        if (number >= 0)
         {
-            sent[i][0] = planes.x()[p];
-            sent[i][1] = planes.n()[p];
-            sent[i][2].x() = planes.area()[p];
+            const plane& p = own_[number];
+            sent[i][0] = p.x;
+            sent[i][1] = p.n;
+            sent[i][2].x() = p.area;
+            sent[i][3] = p.end;
+            sent[i][4] = p.conormal;
+            const tensor bend(p.bend);
+            sent[i][5] = bend.x();
+            sent[i][6] = bend.y();
+            sent[i][7] = bend.z();
         }
     }
     global.globalPointBoundaryCellsMap().distribute
@@ -106,7 +158,45 @@ void Foam::dew::planesAround::correct(const interfacePlanes& planes)
     shared_.setSize(sent.size());
     forAll(sent, i)
     {
-        shared_[i] = {sent[i][0], sent[i][1], sent[i][2].x()};
+        const packed& s = sent[i];
+        shared_[i] =
+            {
+                s[0], s[1], s[2].x(), s[3], s[4],
+                symm(tensor(s[5], s[6], s[7]))
+            };
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::planesAround::correct
+(
+    const interfacePlanes& planes,
+    const contactAngles& angles
+)
+{
+    planes_ = &planes;
+
+    own_.setSize(planes.size());
+    forAll(own_, i)
+    {
+        own_[i] =
+            {
+                planes.x()[i], planes.n()[i], planes.area()[i], Zero, Zero, Zero
+            };
+        findEnd(planes.cell()[i], angles, own_[i]);
+    }
+
+    coupled_ = false;
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        coupled_ = coupled_ || patch.coupled();
+    }
+    coupled_ = returnReduce(coupled_, orOp<bool>());
+    if (coupled_)
+    {
+        share();
     }
 }
 
@@ -126,10 +216,7 @@ void Foam::dew::planesAround::find
         if (p >= 0 && !seen_.found(p))
         {
             seen_.append(p);
-            found.append
-            (
-                plane{planes_->x()[p], planes_->n()[p], planes_->area()[p]}
-            );
+            found.append(own_[p]);
         }
     };
     take(planes_->of(celli));
@@ -150,7 +237,7 @@ void Foam::dew::planesAround::find
     // Slots behind the planes of this rank in seen_
     const globalMeshData& global = mesh_.globalData();
     const Map<label>& coupledPoints = global.coupledPatch().meshPointMap();
-    const label first = planes_->size();
+    const label first = own_.size();
     const auto takeShared = [&](const label slot)
     {
         if

@@ -105,33 +105,40 @@ void Foam::dew::contactAngles::correct
 }
 
 
+Foam::vector Foam::dew::contactAngles::normal
+(
+    const label patchi,
+    const label facei,
+    const vector& given
+) const
+{
+    const fvPatch& patch = mesh_.boundary()[patchi];
+    const vector m(patch.Sf()[facei]/patch.magSf()[facei]);
+    const vector t(given - (given & m)*m);
+    const scalar size = mag(t);
+
+    if (size > SMALL)
+    {
+        return
+            has(patchi)
+          ? t/size*Foam::sin(theta_[patchi][facei])
+          - m*Foam::cos(theta_[patchi][facei])
+          : t/size;
+    }
+    return has(patchi) ? given : vector::zero;
+}
+
+
 Foam::tmp<Foam::vectorField> Foam::dew::contactAngles::normal
 (
     const label patchi,
     const vectorField& given
 ) const
 {
-    const vectorField m(mesh_.boundary()[patchi].nf());
-
-    tmp<vectorField> tn(new vectorField(given.size(), Zero));
-    vectorField& n = tn.ref();
-
-    forAll(n, i)
+    tmp<vectorField> tn(new vectorField(given.size()));
+    forAll(given, facei)
     {
-        const vector t(given[i] - (given[i] & m[i])*m[i]);
-        const scalar size = mag(t);
-        if (size > SMALL)
-        {
-            n[i] =
-                has(patchi)
-              ? t/size*Foam::sin(theta_[patchi][i])
-              - m[i]*Foam::cos(theta_[patchi][i])
-              : t/size;
-        }
-        else if (has(patchi))
-        {
-            n[i] = given[i];
-        }
+        tn.ref()[facei] = normal(patchi, facei, given[facei]);
     }
     return tn;
 }

@@ -16,10 +16,13 @@ Foam::autoPtr<Foam::dew::curvatureModel> Foam::dew::curvatureModel::New
     const dictionary& surfaceProperties
 )
 {
-    dictionary dict(userEntry::optionalDict(surfaceProperties, "curvature"));
-    dict.add("type", word("heightFunction"));
+    const dictionary& dict =
+        userEntry::optionalDict(surfaceProperties, "curvature");
 
-    return selectVariant<curvatureModel>(dict, "type", "curvature model")
+    return selectVariant<curvatureModel>
+    (
+        dict, "type", "curvature model", "heightFunction"
+    )
     (
         surface, dict
     );

@@ -33,7 +33,8 @@ Foam::dew::curvatureModels::heightFunction::heightFunction
     const dictionary& dict
 )
 :
-    curvatureModel(surface)
+    curvatureModel(surface),
+    around_(surface.mesh())
 {
     userEntry::onlyThese(dict, {"type"});
 }
@@ -168,33 +169,57 @@ void Foam::dew::curvatureModels::heightFunction::calculate
     const cellColumns& columns = cellColumns::New(surface_.mesh());
     tellUnfit(columns);
     columns.fetch(surface_.alpha().primitiveField(), alpha_);
+    fetchAngles(columns);
 
     nHeights_ = nFits_ = nLeft_ = 0;
+    DynamicList<label> left;
 
     for (const label celli : cells(columns))
     {
         if (columns.fits(celli))
         {
             vector n(normal(columns, celli));
-            vector left(cmptMag(n));
+            vector size(cmptMag(n));
 
             // The axis closest to the normal first
             for (label tries = 0; tries < 3 && !known[celli]; tries++)
             {
                 const label k =
-                    left.x() >= left.y() && left.x() >= left.z() ? 0
-                  : left.y() >= left.z() ? 1
+                    size.x() >= size.y() && size.x() >= size.z() ? 0
+                  : size.y() >= size.z() ? 1
                   : 2;
-                if (left[k] <= 0)
+                if (size[k] <= 0)
                 {
                     break;
                 }
-                left[k] = -1;
+                size[k] = -1;
                 known[celli] =
                     byHeights(columns, celli, n, 2*k + (n[k] > 0), K[celli]);
             }
         }
-        known[celli] ? nHeights_++ : nLeft_++;
+        if (known[celli])
+        {
+            nHeights_++;
+        }
+        else
+        {
+            left.append(celli);
+        }
+    }
+    if (returnReduce(left.empty(), andOp<bool>()))
+    {
+        return;
+    }
+
+    around_.correct(surface_.planes(), surface_.angles());
+    const paraboloidFit fit(surface_.mesh());
+    planesAround::plane surface;
+    for (const label celli : left)
+    {
+        known[celli] =
+            surface_.planes().of(celli) >= 0
+         && fit.find(around_, celli, K[celli], surface);
+        known[celli] ? nFits_++ : nLeft_++;
     }
 }
 

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellCut.H"
+#include "polygonCut.H"
 #include "polyMesh.H"
 
 #include <algorithm>
@@ -94,72 +95,37 @@ Foam::scalar Foam::dew::cellCut::below(const piece& p, const scalar level)
         return nBelow ? p.area : 0;
     }
 
-    // The part below, as triangles about its first point; the walk begins on
-    // the edge that comes up from below
-    label begin = 0;
-    for (label i = 0; i < p.size; i++)
-    {
-        const label next = i + 1 < p.size ? i + 1 : 0;
-        if
+    bool first = true;
+    point start(Zero);
+    const vector twiceArea
+    (
+        polygonCut
         (
-            f_[corners_[p.start + i]] > level
-         && f_[corners_[p.start + next]] <= level
+            p.size,
+            [&](const label i) -> const point& { return x_[corners_[p.start + i]]; },
+            [&](const label i) { return f_[corners_[p.start + i]]; },
+            level,
+            [&](const point& x, const bool up)
+            {
+                if (up)
+                {
+                    segments_.append(segment{x, x});
+                }
+                else if (first)
+                {
+                    start = x;
+                    first = false;
+                }
+                else
+                {
+                    segments_.last().q = x;
+                }
+            }
         )
-        {
-            begin = i;
-            break;
-        }
-    }
+    );
+    segments_.last().q = start;
 
-    point first(Zero), last(Zero);
-    vector S(Zero);
-    label current = corners_[p.start + begin];
-    for (label step = 0; step < p.size; step++)
-    {
-        label i = begin + step + 1;
-        i = i < p.size ? i : i - p.size;
-        const label next = corners_[p.start + i];
-        const scalar f0 = f_[current];
-        const scalar f1 = f_[next];
-
-        if ((f0 <= level) != (f1 <= level))
-        {
-            // From the same end for both faces of the edge
-            const bool up = f0 < f1;
-            const point& a = x_[up ? current : next];
-            const point& b = x_[up ? next : current];
-            const scalar fa = up ? f0 : f1;
-            const scalar fb = up ? f1 : f0;
-            const point x(a + (level - fa)/(fb - fa)*(b - a));
-
-            if (step == 0)
-            {
-                first = x;
-            }
-            else
-            {
-                S += (last - first) ^ (x - first);
-            }
-            if (up)
-            {
-                segments_.append(segment{x, x});
-            }
-            else if (step > 0)
-            {
-                segments_.last().q = x;
-            }
-            last = x;
-        }
-        if (f1 <= level)
-        {
-            S += (last - first) ^ (x_[next] - first);
-            last = x_[next];
-        }
-        current = next;
-    }
-    segments_.last().q = first;
-
-    return 0.5*(S & p.m);
+    return 0.5*(twiceArea & p.m);
 }
 
 

@@ -16,10 +16,13 @@ Foam::autoPtr<Foam::dew::distanceModel> Foam::dew::distanceModel::New
     const dictionary& surfaceProperties
 )
 {
-    dictionary dict(userEntry::optionalDict(surfaceProperties, "distance"));
-    dict.add("type", word("reconstructed"));
+    const dictionary& dict =
+        userEntry::optionalDict(surfaceProperties, "distance");
 
-    return selectVariant<distanceModel>(dict, "type", "distance model")
+    return selectVariant<distanceModel>
+    (
+        dict, "type", "distance model", "reconstructed"
+    )
     (
         surface, dict
     );

@@ -17,10 +17,13 @@ Foam::autoPtr<Foam::dew::reconstruction> Foam::dew::reconstruction::New
     const dictionary& surfaceProperties
 )
 {
-    dictionary dict(userEntry::optionalDict(surfaceProperties, "reconstruction"));
-    dict.add("type", word("isoAlpha"));
+    const dictionary& dict =
+        userEntry::optionalDict(surfaceProperties, "reconstruction");
 
-    return selectVariant<reconstruction>(dict, "type", "reconstruction")
+    return selectVariant<reconstruction>
+    (
+        dict, "type", "reconstruction", "isoAlpha"
+    )
     (
         mesh, angles, dict
     );

@@ -25,15 +25,12 @@ Foam::autoPtr<Foam::dew::surfaceTensionForceModel>
 Foam::dew::surfaceTensionForceModel::New
 (
     const transportedSurface& surface,
-    const dictionary& surfaceTensionDict
+    const dictionary& dict
 )
 {
-    dictionary dict(surfaceTensionDict);
-    dict.add("type", word("CSF"));
-
     return selectVariant<surfaceTensionForceModel>
     (
-        dict, "type", "surface tension force"
+        dict, "type", "surface tension force", "CSF"
     )
     (
         surface, dict

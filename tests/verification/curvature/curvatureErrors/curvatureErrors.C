@@ -271,9 +271,14 @@ int main(int argc, char *argv[])
             {
                 curvature.add(2*surface.curvature()[celli]/exact - 1);
             }
+            const scalar thickness =
+                surface.symmetry().wedge()
+              ? mesh.bounds().span().y()*mesh.C()[celli].x()
+               /mesh.bounds().max().x()
+              : axis & mesh.bounds().span();
             const scalar dx =
-                flat
-              ? std::sqrt(mesh.V()[celli]/(axis & mesh.bounds().span()))
+                flat || surface.symmetry().wedge()
+              ? std::sqrt(mesh.V()[celli]/thickness)
               : std::cbrt(mesh.V()[celli]);
             const vector out(mesh.C()[celli] - centre);
             const scalar psi = R - mag(out);
