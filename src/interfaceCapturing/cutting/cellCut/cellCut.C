@@ -7,6 +7,7 @@
 #include "cellCut.H"
 #include "polygonCut.H"
 #include "polyMesh.H"
+#include "symmTensor.H"
 
 #include <algorithm>
 
@@ -275,6 +276,39 @@ void Foam::dew::cellCut::function(const vector& n)
 }
 
 
+Foam::vector Foam::dew::cellCut::gradient() const
+{
+    const Vector<label>& directions = mesh_.geometricD();
+    const scalar n = x_.size();
+    point middle(Zero);
+    scalar mean = 0;
+    forAll(x_, i)
+    {
+        middle += x_[i]/n;
+        mean += f_[i]/n;
+    }
+
+    symmTensor M(Zero);
+    vector b(Zero);
+    forAll(x_, i)
+    {
+        vector d(x_[i] - middle);
+        for (direction k = 0; k < vector::nComponents; k++)
+        {
+            d[k] = directions[k] < 0 ? 0 : d[k];
+        }
+        M += sqr(d);
+        b += d*(f_[i] - mean);
+    }
+    const scalar size = tr(M);
+    const symmTensor unit
+    (
+        directions.x() < 0, 0, 0, directions.y() < 0, 0, directions.z() < 0
+    );
+    return (inv(M/size + unit) & b)/size;
+}
+
+
 Foam::scalar Foam::dew::cellCut::cut(const scalar share)
 {
     sorted_ = f_;
@@ -323,6 +357,35 @@ Foam::scalar Foam::dew::cellCut::cut(const scalar share)
     }
 
     return y;
+}
+
+
+Foam::scalar Foam::dew::cellCut::cutPlane
+(
+    const vector& n,
+    const scalar share,
+    const point& near
+)
+{
+    function(n);
+
+    // Newton's rule: the area of the cut is the derivative of the volume
+    scalar level = n & (near - centre_);
+    for (label i = 0; i < 5; i++)
+    {
+        const scalar y = shareBelow(level);
+        if (mag(y - share) <= exactness)
+        {
+            return y;
+        }
+        const scalar area = S_ & n;
+        if (segments_.empty() || area <= 0)
+        {
+            break;
+        }
+        level += (share - y)*volume_/area;
+    }
+    return cut(share);
 }
 
 
