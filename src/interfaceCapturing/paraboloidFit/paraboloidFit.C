@@ -91,11 +91,53 @@ Foam::scalar Foam::dew::paraboloidFit::length
         return p.area/thickness_;
     }
 
-    // As wide as the wedge there, but not less than at a thousandth of the
-    // way to the axis
+    // As wide as the wedge there
     const scalar c = symmetry_.cosHalfAngle();
-    const scalar x = symmetry_.radial() & (p.x - symmetry_.origin());
+    const scalar x = mag(symmetry_.radial() & (p.x - symmetry_.origin()));
     return p.area/max(2*x*Foam::sqrt(1 - sqr(c))/c, VSMALL);
+}
+
+
+Foam::scalar Foam::dew::paraboloidFit::moment
+(
+    const planesAround::plane& p
+) const
+{
+    return
+        across_ != vector::zero
+      ? sqr(length(p))/12
+      : p.area/(4*constant::mathematical::pi);
+}
+
+
+void Foam::dew::paraboloidFit::mirrorAtAxis() const
+{
+    if (!symmetry_.wedge())
+    {
+        return;
+    }
+    const vector& e = symmetry_.radial();
+    const scalar near = 2*length(planes_[0]);
+    const auto radius = [&](const planesAround::plane& p)
+    {
+        return e & (p.x - symmetry_.origin());
+    };
+    if (radius(planes_[0]) > near)
+    {
+        return;
+    }
+    const label n = planes_.size();
+    for (label i = 0; i < n; i++)
+    {
+        if (radius(planes_[i]) < near)
+        {
+            planesAround::plane p(planes_[i]);
+            p.x -= 2*radius(p)*e;
+            p.n -= 2*(p.n & e)*e;
+            p.conormal = Zero;
+            planes_.append(p);
+        }
+    }
 }
 
 
@@ -125,14 +167,16 @@ Foam::dew::paraboloidFit::paraboloidFit(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::dew::paraboloidFit::curvature
+bool Foam::dew::paraboloidFit::find
 (
     const planesAround& around,
     const label celli,
-    scalar& K
+    scalar& K,
+    planesAround::plane& surface
 ) const
 {
     around.find(celli, planes_);
+    mirrorAtAxis();
 
     const bool flat = across_ != vector::zero;
     const label nTerms = flat ? 3 : 6;
@@ -141,7 +185,7 @@ bool Foam::dew::paraboloidFit::curvature
         return false;
     }
 
-    const planesAround::plane& own = planes_[0];
+    const planesAround::plane own = planes_[0];
     const vector& ez = own.n;
     const vector ex
     (
@@ -176,10 +220,7 @@ bool Foam::dew::paraboloidFit::curvature
         const scalar x = d & ex;
         const scalar y = d & ey;
         const scalar size = (flat ? length(p)/unit : p.area/largest)*n.z();
-        const scalar m =
-            flat
-          ? sqr(length(p)/unit)/12
-          : p.area/largest/(4*constant::mathematical::pi);
+        const scalar m = moment(p)/largest;
         const scalar w = sqr(size);
 
         if (flat)
@@ -230,25 +271,28 @@ bool Foam::dew::paraboloidFit::curvature
     }
 
     const scalar* a = fit.b;
-    if (!flat)
-    {
-        K =
-           -(
-                (1 + sqr(a[2]))*2*a[3] - 2*a[1]*a[2]*a[4]
-              + (1 + sqr(a[1]))*2*a[5]
-            )/pow3(Foam::sqrt(1 + sqr(a[1]) + sqr(a[2])))/unit;
-        return true;
-    }
+    const scalar ax = a[1];
+    const scalar ay = flat ? 0 : a[2];
+    const scalar axx = 2*(flat ? a[2] : a[3]);
+    const scalar axy = flat ? 0 : a[4];
+    const scalar ayy = flat ? 0 : 2*a[5];
+    const scalar N = Foam::sqrt(1 + sqr(ax) + sqr(ay));
 
-    const scalar N = Foam::sqrt(1 + sqr(a[1]));
-    K = -2*a[2]/pow3(N)/unit;
+    surface.x = own.x + a[0]*unit*ez;
+    surface.n = (ez - ax*ex - ay*ey)/N;
+    surface.bend =
+        symm(axx*ex*ex + axy*(ex*ey + ey*ex) + ayy*ey*ey)/(unit*N);
+
+    K =
+       -(
+            (1 + sqr(ay))*axx - 2*ax*ay*axy + (1 + sqr(ax))*ayy
+        )/pow3(N)/unit;
     if (symmetry_.wedge())
     {
-        const vector n((ez - a[1]*ex)/N);
         const scalar r =
             (symmetry_.radial() & (own.x - symmetry_.origin()))
            /symmetry_.cosHalfAngle();
-        K += (n & symmetry_.radial())/max(r, VSMALL);
+        K += (surface.n & symmetry_.radial())/max(r, VSMALL);
     }
     return true;
 }

@@ -19,8 +19,8 @@ namespace
 
 using namespace Foam;
 
-//- x, n, (area 0 0), end, conormal of a plane
-using packed = FixedList<vector, 5>;
+//- x, n, (area 0 0), end, conormal, rows of the bend of a plane
+using packed = FixedList<vector, 8>;
 
 //- Behind a periodic boundary
 struct movePlanes
@@ -29,22 +29,51 @@ struct movePlanes
     (
         const vectorTensorTransform& move,
         const bool forward,
-        List<packed>& planes
+        List<List<packed>>& lists
     ) const
     {
-        for (packed& p : planes)
+        for (List<packed>& planes : lists)
         {
-            p[0] =
-                forward
-              ? move.transformPosition(p[0])
-              : move.invTransformPosition(p[0]);
-            p[3] =
-                forward
-              ? move.transformPosition(p[3])
-              : move.invTransformPosition(p[3]);
-            p[1] = forward ? (move.R() & p[1]) : (p[1] & move.R());
-            p[4] = forward ? (move.R() & p[4]) : (p[4] & move.R());
+            for (packed& p : planes)
+            {
+                one(move, forward, p);
+            }
         }
+    }
+
+private:
+
+    static void one
+    (
+        const vectorTensorTransform& move,
+        const bool forward,
+        packed& p
+    )
+    {
+        p[0] =
+            forward
+          ? move.transformPosition(p[0])
+          : move.invTransformPosition(p[0]);
+        p[3] =
+            forward
+          ? move.transformPosition(p[3])
+          : move.invTransformPosition(p[3]);
+        p[1] = forward ? (move.R() & p[1]) : (p[1] & move.R());
+        p[4] = forward ? (move.R() & p[4]) : (p[4] & move.R());
+        const tensor R(forward ? move.R() : move.R().T());
+        const tensor bend(R & tensor(p[5], p[6], p[7]) & R.T());
+        p[5] = bend.x();
+        p[6] = bend.y();
+        p[7] = bend.z();
+    }
+};
+
+//- Those of both sides
+struct join
+{
+    void operator()(List<packed>& x, const List<packed>& y) const
+    {
+        x.append(y);
     }
 };
 
@@ -125,32 +154,53 @@ void Foam::dew::planesAround::findEnd
 void Foam::dew::planesAround::share()
 {
     const globalMeshData& global = mesh_.globalData();
-    const labelList& cells = global.boundaryCells();
+    const labelList& meshPoints = global.coupledPatch().meshPoints();
+    const labelListList& pointCells = mesh_.pointCells();
 
-    nOwnShared_ = cells.size();
-    List<packed> sent(nOwnShared_, packed(vector::zero));
-    forAll(cells, i)
+    List<List<packed>> sent(meshPoints.size());
+    forAll(meshPoints, i)
     {
-        const label number = planes_->of(cells[i]);
-        if (number >= 0)
+        for (const label celli : pointCells[meshPoints[i]])
         {
-            const plane& p = own_[number];
-            sent[i][0] = p.x;
-            sent[i][1] = p.n;
-            sent[i][2].x() = p.area;
-            sent[i][3] = p.end;
-            sent[i][4] = p.conormal;
+            const label number = planes_->of(celli);
+            if (number >= 0)
+            {
+                const plane& p = own_[number];
+                const tensor bend(p.bend);
+                packed s;
+                s[0] = p.x;
+                s[1] = p.n;
+                s[2] = vector(p.area, 0, 0);
+                s[3] = p.end;
+                s[4] = p.conormal;
+                s[5] = bend.x();
+                s[6] = bend.y();
+                s[7] = bend.z();
+                sent[i].append(s);
+            }
         }
     }
-    global.globalPointBoundaryCellsMap().distribute
+    globalMeshData::syncData
     (
-        global.globalTransforms(), sent, movePlanes()
+        sent, global.globalPointSlaves(), global.globalPointTransformedSlaves(),
+        global.globalPointSlavesMap(), global.globalTransforms(), join(),
+        movePlanes()
     );
+    sent.setSize(meshPoints.size());
+
     shared_.setSize(sent.size());
     forAll(sent, i)
     {
-        const packed& s = sent[i];
-        shared_[i] = {s[0], s[1], s[2].x(), s[3], s[4]};
+        shared_[i].setSize(sent[i].size());
+        forAll(sent[i], j)
+        {
+            const packed& s = sent[i][j];
+            shared_[i][j] =
+                {
+                    s[0], s[1], s[2].x(), s[3], s[4],
+                    symm(tensor(s[5], s[6], s[7]))
+                };
+        }
     }
 }
 
@@ -169,7 +219,9 @@ void Foam::dew::planesAround::correct
     forAll(own_, i)
     {
         own_[i] =
-            {planes.x()[i], planes.n()[i], planes.area()[i], Zero, Zero};
+            {
+                planes.x()[i], planes.n()[i], planes.area()[i], Zero, Zero, Zero
+            };
         findEnd(planes.cell()[i], angles, own_[i]);
     }
 
@@ -219,38 +271,26 @@ void Foam::dew::planesAround::find
         return;
     }
 
-    // Slots behind the planes of this rank in seen_
-    const globalMeshData& global = mesh_.globalData();
-    const Map<label>& coupledPoints = global.coupledPatch().meshPointMap();
-    const label first = own_.size();
-    const auto takeShared = [&](const label slot)
-    {
-        if
-        (
-            slot >= nOwnShared_ && shared_[slot].area > 0
-         && !seen_.found(first + slot)
-        )
-        {
-            seen_.append(first + slot);
-            found.append(shared_[slot]);
-        }
-    };
+    const Map<label>& coupledPoints =
+        mesh_.globalData().coupledPatch().meshPointMap();
     for (const label pointi : points)
     {
-        const label p = coupledPoints.lookup(pointi, -1);
-        if (p >= 0)
+        const label i = coupledPoints.lookup(pointi, -1);
+        if (i < 0)
         {
-            for (const label slot : global.globalPointBoundaryCells()[p])
+            continue;
+        }
+        for (const plane& p : shared_[i])
+        {
+            // Of this rank, or seen from another point
+            bool known = false;
+            for (const plane& q : found)
             {
-                takeShared(slot);
+                known = known || magSqr(p.x - q.x) < 1e-16*p.area;
             }
-            for
-            (
-                const label slot :
-                global.globalPointTransformedBoundaryCells()[p]
-            )
+            if (!known)
             {
-                takeShared(slot);
+                found.append(p);
             }
         }
     }
@@ -289,28 +329,13 @@ void Foam::dew::planesAround::findNextTo
         return;
     }
 
-    const globalMeshData& global = mesh_.globalData();
-    const labelList& meshPoints = global.coupledPatch().meshPoints();
-    const auto near = [&](const labelList& slots)
+    const labelList& meshPoints =
+        mesh_.globalData().coupledPatch().meshPoints();
+    forAll(meshPoints, i)
     {
-        for (const label slot : slots)
+        if (!shared_[i].empty())
         {
-            if (shared_[slot].area > 0)
-            {
-                return true;
-            }
-        }
-        return false;
-    };
-    forAll(meshPoints, p)
-    {
-        if
-        (
-            near(global.globalPointBoundaryCells()[p])
-         || near(global.globalPointTransformedBoundaryCells()[p])
-        )
-        {
-            mark(meshPoints[p]);
+            mark(meshPoints[i]);
         }
     }
 }

@@ -5,8 +5,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceTension.H"
+#include "fvcGrad.H"
+#include "fvcLaplacian.H"
+#include "fvMatrices.H"
+#include "fvmLaplacian.H"
 #include "mathematicalConstants.H"
 #include "surfaceInterpolate.H"
+#include "Switch.H"
 #include "transportedSurface.H"
 #include "userEntry.H"
 
@@ -43,8 +48,22 @@ Foam::dew::surfaceTension::surfaceTension
         (
             surface, surfaceProperties.subDict("surfaceTension")
         )
-    )
-{}
+    ),
+    implicitShare_(0),
+    maxSteps_(1)
+{
+    const dictionary& dict = surfaceProperties.subDict("surfaceTension");
+
+    if (dict.getOrDefault<Switch>("semiImplicit", false))
+    {
+        implicitShare_ =
+            dict.found("implicitShare")
+          ? userEntry::within(dict, "implicitShare", 0.25, 1)
+          : 0.5;
+        maxSteps_ = 10;
+    }
+    maxSteps_ = userEntry::positiveOr(dict, "maxSteps", dimless, maxSteps_);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -55,7 +74,26 @@ Foam::tmp<Foam::surfaceScalarField> Foam::dew::surfaceTension::force() const
 }
 
 
-Foam::scalar Foam::dew::surfaceTension::maxDeltaT
+Foam::tmp<Foam::fvVectorMatrix> Foam::dew::surfaceTension::implicitPart
+(
+    const volVectorField& U,
+    const surfaceScalarField& share
+) const
+{
+    const surfaceScalarField stiffness
+    (
+        "stiffness",
+        implicitShare_*U.time().deltaT()*share
+       *fvc::interpolate(sigma_*mag(fvc::grad(surface_.alpha())))
+    );
+
+    return
+        fvm::laplacian(stiffness, U)
+      - fvc::laplacian(stiffness, U.oldTime());
+}
+
+
+Foam::scalar Foam::dew::surfaceTension::capillaryStep
 (
     const scalar rho1,
     const scalar rho2

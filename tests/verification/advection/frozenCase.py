@@ -7,7 +7,7 @@
 import numpy as np
 
 from dewCase import SIDES, Case, foam_value
-from fluidCase import read_field
+from fluidCase import FluidCase
 
 COLUMNS = ['steps', 'start', 'end', 'low', 'high', 'moved', 'cut', 'advection', 'reconstruction']
 
@@ -67,11 +67,12 @@ def sphere(n, centre, r, length=1.0):
     return (shares/h**3).ravel().clip(0, 1)
 
 
-class FrozenCase(Case):
+class FrozenCase(FluidCase):
     """A box with liquid in a frozen flow; flat along z if it has one cell there."""
 
-    def __init__(self, path, cells, alpha, flow, length=1.0, reconstruction=None, solids=None, entries=None, **keywords):
-        self.flat = cells[2] == 1
+    def __init__(self, path, cells, alpha, flow, length=1.0, reconstruction=None, solids=None, entries=None,
+                 patches=tuple(SIDES), **keywords):
+        self.flat, self.names = cells[2] == 1, patches
         upper = tuple(length*n/cells[0] for n in cells)
         super().__init__(path, upper=upper, cells=cells,
                          **{'application': 'frozenFlow', 'writePrecision': 16, 'writeInterval': 100000, **keywords})
@@ -80,7 +81,7 @@ class FrozenCase(Case):
         self.reconstruction = reconstruction
 
     def write(self):
-        super().write()
+        Case.write(self)
         surface = {'liquid': 'water', 'surfaceMotion': {'type': 'isoAdvector'}}
         if self.reconstruction:
             surface['reconstruction'] = self.reconstruction
@@ -92,7 +93,8 @@ class FrozenCase(Case):
         """Shares and a velocity whose values the program sets."""
         def patches(kind):
             return {name: {'type': 'cyclic' if name[0] in self.cyclic else
-                           'empty' if self.flat and name[0] == 'z' else kind} for name in SIDES}
+                           'empty' if name == 'axis' or self.flat and name[0] == 'z' else
+                           'wedge' if name in ('front', 'back') else kind} for name in self.names}
 
         self.write_dict('0/alpha.water', {
             'dimensions': '[0 0 0 0 0 0 0]', 'boundaryField': patches('zeroGradient'),
@@ -121,9 +123,10 @@ class FrozenCase(Case):
         line = next(row for row in result.output.splitlines() if row.startswith('result '))
         return dict(zip(COLUMNS, map(float, line.split()[1:])))
 
-    def shares(self):
+    def shares(self, ranks=1):
         """At the end."""
-        return read_field(self.path / self.times()[-1] / 'alpha.water')
+        time = self.times('processor0' if ranks > 1 else '.')[-1]
+        return self.joined_field('alpha.water', time, ranks)
 
     def error(self):
         """Sum |alpha - start|/sum start."""

@@ -169,6 +169,7 @@ void Foam::dew::curvatureModels::heightFunction::calculate
     const cellColumns& columns = cellColumns::New(surface_.mesh());
     tellUnfit(columns);
     columns.fetch(surface_.alpha().primitiveField(), alpha_);
+    fetchAngles(columns);
 
     nHeights_ = nFits_ = nLeft_ = 0;
     DynamicList<label> left;
@@ -212,11 +213,12 @@ void Foam::dew::curvatureModels::heightFunction::calculate
 
     around_.correct(surface_.planes(), surface_.angles());
     const paraboloidFit fit(surface_.mesh());
+    planesAround::plane surface;
     for (const label celli : left)
     {
         known[celli] =
             surface_.planes().of(celli) >= 0
-         && fit.curvature(around_, celli, K[celli]);
+         && fit.find(around_, celli, K[celli], surface);
         known[celli] ? nFits_++ : nLeft_++;
     }
 }

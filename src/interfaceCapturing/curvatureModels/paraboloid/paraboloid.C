@@ -52,9 +52,10 @@ void Foam::dew::curvatureModels::paraboloid::calculate
 
     around_.correct(planes, surface_.angles());
     nFits_ = nLeft_ = 0;
+    planesAround::plane surface;
     for (const label celli : planes.cell())
     {
-        known[celli] = fit.curvature(around_, celli, K[celli]);
+        known[celli] = fit.find(around_, celli, K[celli], surface);
         known[celli] ? nFits_++ : nLeft_++;
     }
 }

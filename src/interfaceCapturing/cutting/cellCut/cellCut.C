@@ -7,6 +7,7 @@
 #include "cellCut.H"
 #include "polygonCut.H"
 #include "polyMesh.H"
+#include "symmTensor.H"
 
 #include <algorithm>
 
@@ -275,6 +276,39 @@ void Foam::dew::cellCut::function(const vector& n)
 }
 
 
+Foam::vector Foam::dew::cellCut::gradient() const
+{
+    const Vector<label>& directions = mesh_.geometricD();
+    const scalar n = x_.size();
+    point middle(Zero);
+    scalar mean = 0;
+    forAll(x_, i)
+    {
+        middle += x_[i]/n;
+        mean += f_[i]/n;
+    }
+
+    symmTensor M(Zero);
+    vector b(Zero);
+    forAll(x_, i)
+    {
+        vector d(x_[i] - middle);
+        for (direction k = 0; k < vector::nComponents; k++)
+        {
+            d[k] = directions[k] < 0 ? 0 : d[k];
+        }
+        M += sqr(d);
+        b += d*(f_[i] - mean);
+    }
+    const scalar size = tr(M);
+    const symmTensor unit
+    (
+        directions.x() < 0, 0, 0, directions.y() < 0, 0, directions.z() < 0
+    );
+    return (inv(M/size + unit) & b)/size;
+}
+
+
 Foam::scalar Foam::dew::cellCut::cut(const scalar share)
 {
     sorted_ = f_;
@@ -326,6 +360,35 @@ Foam::scalar Foam::dew::cellCut::cut(const scalar share)
 }
 
 
+Foam::scalar Foam::dew::cellCut::cutPlane
+(
+    const vector& n,
+    const scalar share,
+    const point& near
+)
+{
+    function(n);
+
+    // Newton's rule: the area of the cut is the derivative of the volume
+    scalar level = n & (near - centre_);
+    for (label i = 0; i < 5; i++)
+    {
+        const scalar y = shareBelow(level);
+        if (mag(y - share) <= exactness)
+        {
+            return y;
+        }
+        const scalar area = S_ & n;
+        if (segments_.empty() || area <= 0)
+        {
+            break;
+        }
+        level += (share - y)*volume_/area;
+    }
+    return cut(share);
+}
+
+
 Foam::scalar Foam::dew::cellCut::share(const point& x, const vector& n)
 {
     function(n);
@@ -347,4 +410,25 @@ Foam::point Foam::dew::cellCut::centre() const
         moment += a*(p + q);
     }
     return centre_ + (area > 0 ? apex_ + moment/(3*area) : apex_);
+}
+
+
+Foam::symmTensor Foam::dew::cellCut::spread() const
+{
+    const vector n(normalised(S_));
+    const vector toApex(centre_ + apex_ - centre());
+    scalar area = 0;
+    symmTensor moment(Zero);
+    for (const segment& s : segments_)
+    {
+        const vector p(s.p - apex_);
+        const vector q(s.q - apex_);
+        const scalar a = (q ^ p) & n;
+        area += a;
+
+        // Mean over a triangle
+        const vector x(toApex + p), y(toApex + q);
+        moment += a*(sqr(toApex) + sqr(x) + sqr(y) + sqr(toApex + x + y));
+    }
+    return area > 0 ? moment/(12*area) : moment;
 }

@@ -23,13 +23,7 @@ void Foam::dew::pointMean::choose(const labelUList& pointLabels)
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-const Foam::scalarField& Foam::dew::pointMean::operator()
-(
-    const scalarField& cellValues,
-    const labelUList& cells
-)
+void Foam::dew::pointMean::choosePoints(const labelUList& cells)
 {
     chosen_.setSize(mesh_.nPoints());
     chosen_ = false;
@@ -46,18 +40,41 @@ const Foam::scalarField& Foam::dew::pointMean::operator()
     }
 
     // The other side may ask for any point of a coupled boundary
-    bool coupled = false;
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
         if (patch.coupled())
         {
-            coupled = true;
             for (const face& f : patch)
             {
                 choose(f);
             }
         }
     }
+}
+
+
+const Foam::scalarField& Foam::dew::pointMean::mean()
+{
+    syncTools::syncPointList(mesh_, value_, plusEqOp<scalar>(), scalar(0));
+    syncTools::syncPointList(mesh_, weight_, plusEqOp<scalar>(), scalar(0));
+
+    for (const label pointi : points_)
+    {
+        value_[pointi] /= max(weight_[pointi], VSMALL);
+    }
+    return value_;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const Foam::scalarField& Foam::dew::pointMean::operator()
+(
+    const scalarField& cellValues,
+    const labelUList& cells
+)
+{
+    choosePoints(cells);
 
     const pointField& x = mesh_.points();
     const vectorField& centres = mesh_.cellCentres();
@@ -74,17 +91,37 @@ const Foam::scalarField& Foam::dew::pointMean::operator()
             weight_[pointi] += weight;
         }
     }
+    return mean();
+}
 
-    if (returnReduce(coupled, orOp<bool>()))
-    {
-        syncTools::syncPointList(mesh_, value_, plusEqOp<scalar>(), scalar(0));
-        syncTools::syncPointList(mesh_, weight_, plusEqOp<scalar>(), scalar(0));
-    }
+
+const Foam::scalarField& Foam::dew::pointMean::operator()
+(
+    const interfacePlanes& planes,
+    const labelUList& cells
+)
+{
+    choosePoints(cells);
+
+    const pointField& x = mesh_.points();
+    const vectorField& centres = mesh_.cellCentres();
+    const labelListList& pointCells = mesh_.pointCells();
 
     for (const label pointi : points_)
     {
-        value_[pointi] /= weight_[pointi];
+        value_[pointi] = 0;
+        weight_[pointi] = 0;
+        for (const label celli : pointCells[pointi])
+        {
+            const label i = planes.of(celli);
+            if (i >= 0)
+            {
+                const scalar weight = 1/magSqr(x[pointi] - centres[celli]);
+                value_[pointi] +=
+                    weight*((x[pointi] - planes.x()[i]) & planes.n()[i]);
+                weight_[pointi] += weight;
+            }
+        }
     }
-
-    return value_;
+    return mean();
 }

@@ -53,6 +53,19 @@ Foam::dew::distanceModels::reconstructed::reconstructed
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::dew::distanceModels::reconstructed::bend(const paraboloidFit& fit)
+{
+    around_.bend
+    (
+        [&](const label celli, planesAround::plane& surface)
+        {
+            scalar K = 0;
+            fit.find(around_, celli, K, surface);
+        }
+    );
+}
+
+
 void Foam::dew::distanceModels::reconstructed::mean
 (
     const label celli,
@@ -70,12 +83,19 @@ void Foam::dew::distanceModels::reconstructed::mean
     {
         const vector d(x - p.x);
         const scalar far = magSqr(d);
-        const scalar off = -(p.n & d);
+
+        const scalar up = p.n & d;
+        const vector t(d - up*p.n);
+        const scalar bend = t & p.bend & t;
+
+        // Levels of psi bend less on the outside of a drop
+        const scalar level =
+            max(1 - up*bend/max(magSqr(t), VSMALL), scalar(0.25));
 
         // Not zero where all planes go through x
-        const scalar w = sqr(off)/max(far, VSMALL) + SMALL;
-        psi += w*off;
-        n += w*p.n;
+        const scalar w = sqr(sqr(up)/max(far, VSMALL)) + SMALL;
+        psi += w*(0.5*bend/level - up);
+        n += w*normalised(p.n - (p.bend & t)/level);
         sum += w;
         if (far < least)
         {
@@ -103,6 +123,7 @@ void Foam::dew::distanceModels::reconstructed::nextLayer
     pointField x(nBoundary, Zero);
     vectorField nx(nBoundary, Zero);
     scalarField area(nBoundary, Zero);
+    List<tensor> bends(nBoundary, tensor::zero);
     bool coupled = false;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
@@ -118,6 +139,7 @@ void Foam::dew::distanceModels::reconstructed::nextLayer
                     x[facei] = closest_[celli].x;
                     nx[facei] = closest_[celli].n;
                     area[facei] = closest_[celli].area;
+                    bends[facei] = closest_[celli].bend;
                 }
                 else
                 {
@@ -131,6 +153,7 @@ void Foam::dew::distanceModels::reconstructed::nextLayer
         syncTools::swapBoundaryFacePositions(mesh, x);
         syncTools::swapBoundaryFaceList(mesh, nx);
         syncTools::swapBoundaryFaceList(mesh, area);
+        syncTools::swapBoundaryFaceList(mesh, bends);
     }
 
     DynamicList<label>& fresh = cells_[layer];
@@ -197,7 +220,7 @@ void Foam::dew::distanceModels::reconstructed::nextLayer
             else if (area[facei - nInternal] > 0)
             {
                 const label i = facei - nInternal;
-                add({x[i], nx[i], area[i], Zero, Zero});
+                add({x[i], nx[i], area[i], Zero, Zero, symm(bends[i])});
             }
         }
         mean(celli, planes, psi[celli], n[celli]);
@@ -274,7 +297,9 @@ void Foam::dew::distanceModels::reconstructed::correct
     scalarField& psic = psi.primitiveFieldRef();
     vectorField& nc = n.primitiveFieldRef();
 
+    const paraboloidFit fit(mesh);
     around_.correct(surface_.planes(), surface_.angles());
+    bend(fit);
     layer_.setSize(mesh.nCells());
     layer_ = 0;
     closest_.setSize(mesh.nCells());
@@ -323,7 +348,7 @@ void Foam::dew::distanceModels::reconstructed::correct
               - (d & n.boundaryField()[patchi].patchInternalField());
         }
     }
-    normals(psi, nc);
+    if (false) normals(psi, nc);
     n.correctBoundaryConditions();
     forAll(mesh.boundary(), patchi)
     {

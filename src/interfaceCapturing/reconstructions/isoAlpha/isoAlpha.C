@@ -55,6 +55,6 @@ void Foam::dew::reconstructions::isoAlpha::correct(const volScalarField& alpha)
         cut_.set(celli);
         cut_.function(gas);
         cut_.cut(share[celli]);
-        appendPlane(cut_, celli, cut_.S(), share[celli]);
+        appendPlane(cut_, celli, cut_.S(), share[celli], cut_.centre());
     }
 }

@@ -70,7 +70,8 @@ void Foam::dew::reconstruction::appendPlane
     cellCut& cut,
     const label celli,
     const vector& n,
-    const scalar share
+    const scalar share,
+    const point& near
 )
 {
     const vector d(direction(n));
@@ -78,7 +79,6 @@ void Foam::dew::reconstruction::appendPlane
     {
         return;
     }
-    cut.function(d);
-    cut.cut(share);
+    cut.cutPlane(d, share, near);
     planes_.append(celli, cut.centre(), d, mag(cut.S()));
 }

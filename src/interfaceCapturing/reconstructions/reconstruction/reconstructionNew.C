@@ -22,7 +22,7 @@ Foam::autoPtr<Foam::dew::reconstruction> Foam::dew::reconstruction::New
 
     return selectVariant<reconstruction>
     (
-        dict, "type", "reconstruction", "isoAlpha"
+        dict, "type", "reconstruction", "PLIC"
     )
     (
         mesh, angles, dict

@@ -27,7 +27,7 @@ Description
 
 #include "argList.H"
 #include "cellCut.H"
-#include "clockTime.H"
+#include "cpuTime.H"
 #include "contactAngles.H"
 #include "flows.H"
 #include "fvMesh.H"
@@ -111,11 +111,12 @@ void setShare
 )
 {
     const fvMesh& mesh = alphac.mesh();
-    forAll(alphac, celli)
+    scalarField& share = alphac.primitiveFieldRef();
+    forAll(share, celli)
     {
         const boundBox box(mesh.points(), mesh.cellPoints(celli), false);
         const scalar a = box.min().x(), b = box.max().x();
-        alphac[celli] = 1 - (layer.below(b, t) - layer.below(a, t))/(b - a);
+        share[celli] = 1 - (layer.below(b, t) - layer.below(a, t))/(b - a);
     }
     alphac.correctBoundaryConditions();
 }
@@ -259,6 +260,8 @@ int main(int argc, char *argv[])
     label steps = 0;
 
     cellCut cut(mesh);
+    alpha.oldTime();
+    alphac.oldTime();
     planes->correct(alpha);
     const scalar maxAlphaCo = flowDict.getOrDefault<scalar>("maxAlphaCo", 0);
     while (runTime.run())
@@ -287,19 +290,17 @@ int main(int argc, char *argv[])
 
         phi = phi0*flow.factor(t + 0.5*dt);
         U = U0*flow.factor(t + 0.5*dt);
-        alpha.oldTime();
-        alphac.oldTime();
         if (layer)
         {
             setShare(*layer, t + dt, alphac);
             takeSolids(*layer, t, dt, alphac, phi, U);
         }
 
-        clockTime clock;
+        cpuTime clock;
         advection.advect(alpha, alphaPhi, planes->planes(), phi, U, alphac);
-        tAdvect += clock.timeIncrement();
+        tAdvect += clock.cpuTimeIncrement();
         planes->correct(alpha);
-        tPlanes += clock.timeIncrement();
+        tPlanes += clock.cpuTimeIncrement();
 
         low = min(low, gMin(alpha.primitiveField()));
         high = max(high, gMax(alpha.primitiveField()) - 1);

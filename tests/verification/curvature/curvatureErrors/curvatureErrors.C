@@ -271,11 +271,20 @@ int main(int argc, char *argv[])
             {
                 curvature.add(2*surface.curvature()[celli]/exact - 1);
             }
+            const scalar thickness =
+                surface.symmetry().wedge()
+              ? mesh.bounds().span().y()*mesh.C()[celli].x()
+               /mesh.bounds().max().x()
+              : axis & mesh.bounds().span();
             const scalar dx =
-                flat
-              ? std::sqrt(mesh.V()[celli]/(axis & mesh.bounds().span()))
+                flat || surface.symmetry().wedge()
+              ? std::sqrt(mesh.V()[celli]/thickness)
               : std::cbrt(mesh.V()[celli]);
-            const vector out(mesh.C()[celli] - centre);
+            vector out(mesh.C()[celli] - centre);
+            if (surface.symmetry().wedge())
+            {
+                out.x() /= surface.symmetry().cosHalfAngle();
+            }
             const scalar psi = R - mag(out);
             if (mag(psi) < 3*dx)
             {
