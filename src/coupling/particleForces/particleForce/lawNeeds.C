@@ -29,6 +29,13 @@ void Foam::dew::lawNeeds::refuse
             << dict.name() << nl
             << "Use a solver of drops, or remove the law" << exit(FatalIOError);
     }
+    if (tension && !offered.tension)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Law " << law << " needs the surface tension of two fluids, which"
+            << " this solver does not offer: " << dict.name() << nl
+            << "Use interDemFoam, or remove the law" << exit(FatalIOError);
+    }
     if (turbulence && !offered.turbulence)
     {
         FatalIOErrorInFunction(dict)
