@@ -59,4 +59,6 @@ class TwoFluidCase(FluidCase):
         path = self.path/'system/fvSchemes'
         path.write_text(path.read_text().replace(
             'div(((alphac*nuEff)*dev2(T(grad(U)))))', '"div\\(\\(\\(\\(?alphacRho.*"'))
+        path = self.path/'system/fvSolution'
+        path.write_text(path.read_text().replace('    "p.*"', '    "alpha.*"\n    {\n        nLimiterIter 3;\n    }\n    "p.*"', 1))
         self.write_dict('constant/surfaceProperties', self.surface)

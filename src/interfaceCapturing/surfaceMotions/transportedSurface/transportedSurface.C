@@ -184,7 +184,7 @@ void Foam::dew::transportedSurface::correct(const surfaceFlow& flow)
     angles_.correct(planes(), flow);
     distance_->correct(psi_, n_);
     curvatureModel_->correct(curvature_);
-    speed_ = flow.U & n_;
+    correctSpeed(flow.U);
 }
 
 
