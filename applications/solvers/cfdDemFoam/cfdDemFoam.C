@@ -54,6 +54,8 @@ Usage
 #include "boundaryForces.H"
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"
+#include "linearGradient.H"
+#include "meshSymmetry.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
 #include "particleOutput.H"

@@ -15,7 +15,7 @@ Foam::dew::particleExchange::velocityGradient() const
 {
     if ((linear_ && carrierVelocity_) || needs().motion())
     {
-        return linearGradient(fluid_.Uc, map_.symmetry());
+        return linearGradient(velocityWithWallLayers()(), map_.symmetry());
     }
     return tmp<tensorField>();
 }

@@ -88,7 +88,9 @@ class WedgeCase(FluidCase):
                         + '\n')
         self.write_file('constant/testProperties', foam_dict({
             'voidFraction': {'type': void},
-            'coupling': {'voidFraction': {'type': 'none'}, 'forces': {'drag': {'type': 'Stokes'}}}, **entries}))
+            # No layers at walls among particles
+            'coupling': {'voidFraction': {'type': 'none'}, 'momentum': 'none', 'forces': {'drag': {'type': 'Stokes'}}},
+            **entries}))
         done = self.run('testMap', ranks=ranks)
         assert done.code == 0, done.output
         cells, particles = (np.genfromtxt(self.path / name, delimiter=',', names=True, ndmin=1)

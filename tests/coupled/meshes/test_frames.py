@@ -63,8 +63,8 @@ def centres(case):
     return case.field('C', '0')
 
 
-def ring(path, void='none', d=1.5e-3, n=24, momentum='none', **control):
-    """Fluid in rigid rotation with its walls, and spheres of its density that go with it."""
+def ring(path, void='none', d=1.5e-3, n=24, momentum='none', arc=2 * np.pi, **control):
+    """Fluid in rigid rotation with its walls, and spheres of its density that go with it, on an arc of the ring."""
     case = RingCase(path, gravity=(0, 0, 0), tolerance=1e-11, outer=2,
                     **{'deltaT': 2e-3, 'endTime': 0.1, 'writeInterval': 50, **ASCII, **control})
     case.properties = {
@@ -75,7 +75,7 @@ def ring(path, void='none', d=1.5e-3, n=24, momentum='none', **control):
     if void in MODELS:
         case.properties['coupling']['voidFraction'] = MODELS[void]
     rng = np.random.default_rng(5)
-    a = (np.arange(n) + rng.uniform(0, 0.3, n)) * 2 * np.pi / n
+    a = (np.arange(n) + rng.uniform(0, 0.3, n)) * arc / n
     r = rng.uniform(0.015, 0.025, n)
     x = np.stack([r * np.cos(a), r * np.sin(a), np.where(np.arange(n) % 2, 0.3, 0.7) * HEIGHT], axis=1)
     v = OMEGA * np.stack([-x[:, 1], x[:, 0], 0 * a], axis=1)
@@ -91,7 +91,10 @@ def ring(path, void='none', d=1.5e-3, n=24, momentum='none', **control):
 
 
 def check_rigid(case, c, x, limit):
-    """U of the fluid, and where the particles are, relative to the fastest and its way."""
+    """U of the fluid, and where the particles are, relative to the fastest and its way.
+
+    A particle has the pressure gradient of its cell, whose centre may be half a cell (h = 4 mm) off, for the centripetal
+    acceleration: h/2 omega^2 t^2/2."""
     done = case.run('cfdDemFoam', timeout=200)
     assert done.code == 0, done.output[-3000:]
     last = case.times()[-1]
@@ -101,27 +104,40 @@ def check_rigid(case, c, x, limit):
     turned = x @ np.array([[np.cos(angle), np.sin(angle), 0], [-np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
     away = np.linalg.norm(vectors(case.table(float(last)), 'x y z') - turned, axis=1).max() / (angle * OUTER)
     print('rigid', wrong, away)
-    assert wrong < limit and away < limit
+    assert wrong < limit and away < 4e-3 * angle / (4 * OUTER)
     errors = [float(v) for v in re.findall(r'global = (\S+),', done.output)]
     assert np.abs(errors).max() < 1e-9
     return done
 
 
 def test_rigid_rotation(tmp_path):
-    """Fluid in an MRF zone that turns as its walls do: U = Omega x r stays."""
-    check_rigid(*ring(tmp_path), limit=0.02)
+    """Fluid in an MRF zone that turns as its walls do: U = Omega x r stays, to what its curved cells leave (0.08 %
+    measured)."""
+    check_rigid(*ring(tmp_path), limit=1e-3)
 
 
-@pytest.mark.parametrize('momentum', ['none', 'semiImplicit'])
-@pytest.mark.parametrize('void, limit', [('Gaussian', 0.02), ('divided', 0.03)])
-def test_rigid_rotation_with_particles(tmp_path, void, limit, momentum):
-    """Spheres of the fluid's density turn with it: the void fraction goes through the cells, with no flow relative to it.
-
-    Measured: 1.3 % (Gaussian), 2.2 % (divided, whose limit is that of this measurement; the aim of 2 % is missed)."""
-    case, c, x = ring(tmp_path, void, momentum=momentum)
+def check_turned(case, c, x, limit):
     check_rigid(case, c, x, limit=limit)
     ledger = case.ledger()
     assert np.all(ledger.outside == 0) and np.abs(ledger.represented/ledger.held - 1).max() < 1e-10
+
+
+@pytest.mark.parametrize('momentum', ['none', 'semiImplicit'])
+def test_rigid_rotation_with_particles(tmp_path, momentum):
+    """Spheres of the fluid's density, on one half of the ring, turn with it: the void fraction goes through the cells,
+    with no flow relative to it. Spread over a cell's width they add 0.03 % to the 0.08 % of the mesh without them (measured);
+    without the flux of the frame it would be 0.5 %, with a Coriolis force of the whole cell 0.15 %."""
+    case, c, x = ring(tmp_path, 'Gaussian', d=2e-3, arc=np.pi, momentum=momentum)
+    case.properties['coupling']['voidFraction'] = {'type': 'Gaussian', 'width': 4e-3}
+    case.write()
+    check_turned(case, c, x, limit=1.3e-3)
+
+
+@pytest.mark.parametrize('void', ['Gaussian', 'divided'])
+def test_rigid_rotation_with_particles_narrower_than_cells(tmp_path, void):
+    """Then a sphere that goes from cell to cell takes more of the face between than alphac of the two says, by at most its
+    section, pi d^2/4 of 4 x 5 mm, 8.8 %; the flow differs by a part of it (1.3, 2.1 % measured). A third is allowed."""
+    check_turned(*ring(tmp_path, void), limit=0.088 / 3)
 
 
 def test_blades_keep_the_volume(tmp_path):
@@ -136,14 +152,19 @@ def test_blades_keep_the_volume(tmp_path):
     assert len(errors) and max(errors) < 1e-8
 
 
-def test_mesh_moves_with_everything(tmp_path):
-    """Particles, fluid and mesh at 0.06 m/s more: as at rest, seen from there, to 0.5 % of the way the frame made in
-    this time (3.2e-6 m of 1.2e-3 m measured; a known limit, no bound of theory)."""
+@pytest.mark.parametrize('force', [None, 'virtualMass'])
+def test_mesh_moves_with_everything(tmp_path, force):
+    """Particles, fluid and mesh at 0.06 m/s more: as at rest, seen from there; added mass asks for dU/dt.
+
+    Every term of the equations is the same in both frames, so that round-off is left (2e-16 m, 2e-15 m/s measured), and
+    what the fluid's solvers leave, 1e-12."""
     V, tables = np.array([0.05, 0.02, -0.03]), []
     for moving in (False, True):
         case = refined(tmp_path / str(moving), endTime=0.02, writeInterval=10)
         (case.path / 'constant/dynamicMeshDict').unlink()
         del case.properties['walls']
+        if force:
+            case.properties['coupling']['forces'][force] = {'type': force}
         frame = V * moving
         rows = np.genfromtxt(case.path / 'constant/particles.csv', delimiter=',', names=True)
         x = 0.3 * vectors(rows, 'x y z') + 0.006
@@ -161,7 +182,10 @@ def test_mesh_moves_with_everything(tmp_path):
         assert np.all(case.ledger().outside == 0)
         rows = case.table(0.02)
         tables.append((vectors(rows, 'x y z') - 0.02 * frame, vectors(rows) - frame))
-    assert np.abs(tables[0][0] - tables[1][0]).max() < 0.005 * 0.02 * np.linalg.norm(V)
+    # They have slowed down by something
+    assert np.abs(tables[0][1] - v + V).max() > 1e-3
+    for rest, moved, limit in zip(*tables, (1e-12, 1e-11)):
+        assert np.abs(rest - moved).max() < limit
 
 
 def test_wall_moves_fluid_and_particle(tmp_path):

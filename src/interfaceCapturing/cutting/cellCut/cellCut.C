@@ -411,3 +411,24 @@ Foam::point Foam::dew::cellCut::centre() const
     }
     return centre_ + (area > 0 ? apex_ + moment/(3*area) : apex_);
 }
+
+
+Foam::symmTensor Foam::dew::cellCut::spread() const
+{
+    const vector n(normalised(S_));
+    const vector toApex(centre_ + apex_ - centre());
+    scalar area = 0;
+    symmTensor moment(Zero);
+    for (const segment& s : segments_)
+    {
+        const vector p(s.p - apex_);
+        const vector q(s.q - apex_);
+        const scalar a = (q ^ p) & n;
+        area += a;
+
+        // Mean over a triangle
+        const vector x(toApex + p), y(toApex + q);
+        moment += a*(sqr(toApex) + sqr(x) + sqr(y) + sqr(toApex + x + y));
+    }
+    return area > 0 ? moment/(12*area) : moment;
+}

@@ -167,6 +167,14 @@ Foam::tmp<Foam::surfaceScalarField> Foam::dew::transportedSurface::onSurface
 }
 
 
+void Foam::dew::transportedSurface::update(const scalarField& alpha)
+{
+    alpha_.primitiveFieldRef() = alpha;
+    alpha_.correctBoundaryConditions();
+    alpha_.oldTime() == alpha_;
+}
+
+
 void Foam::dew::transportedSurface::correct(const surfaceFlow& flow)
 {
     volume_ =
