@@ -99,7 +99,12 @@ int main(int argc, char *argv[])
     const dew::meshSymmetry symmetry(mesh);
     const dew::filling liquid(mesh, symmetry, dict);
     alpha.primitiveFieldRef() = liquid.share();
-    alpha.correctBoundaryConditions();
+
+    // Not evaluated: conditions may ask for fields that are not here
+    for (fvPatchScalarField& patch : alpha.boundaryFieldRef())
+    {
+        patch = patch.patchInternalField();
+    }
 
     liquid.report(Info);
     Info<< "Writing " << alpha.objectPath() << nl << endl;
