@@ -107,7 +107,10 @@ Foam::scalar Foam::dew::sphericalCap::leaves
     // s(t) = sa + g t - L2 t^2, its larger root, without cancellation
     const scalar g = sb - sa + L2;
     const scalar root = sqrt(max(sqr(g) + 4*L2*sa, scalar(0)));
-    const scalar t = g > 0 ? (g + root)/(2*L2) : 2*sa/(root - g);
+
+    // A tangent that begins on the sphere leaves at once
+    const scalar t =
+        g > 0 ? (g + root)/(2*L2) : root > g ? 2*sa/(root - g) : 0;
     return min(max(t, scalar(0)), scalar(1));
 }
 

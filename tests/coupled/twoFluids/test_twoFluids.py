@@ -230,6 +230,16 @@ def test_refusals(tmp_path, subject):
         assert word in done.output, word
 
 
+def test_particles_need_the_distance(tmp_path):
+    case = floating(tmp_path, 500)
+    case.surface['distance'] = {'type': 'none'}
+    case.mesh()
+    done = case.run('interDemFoam')
+    assert done.code != 0 and not case.times()
+    for word in ('surfaceProperties', 'distance', 'none', 'reconstructed', 'Particles'):
+        assert word in done.output, word
+
+
 def test_capillarity_needs_two_fluids(tmp_path):
     """In a solver of one fluid the law is refused, with the solver that has it."""
     case = FluidCase(tmp_path, endTime=1e-3)
