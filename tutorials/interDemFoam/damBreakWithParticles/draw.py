@@ -48,7 +48,7 @@ fig, ax = plt.subplots(figsize=(6.4, 4.2))
 try:
     from matplotlib.animation import PillowWriter
     writer = PillowWriter(fps=12)
-    with writer.saving(fig, 'damBreak.gif', 60):
+    with writer.saving(fig, 'damBreak.gif', 55):
         for name in names:
             show(ax, name)
             writer.grab_frame()
