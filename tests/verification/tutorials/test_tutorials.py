@@ -13,6 +13,8 @@ def left(folder, names):
     patterns = ['R[0-9]*', '[0-9]*', '*.png', '__pycache__', 'runs', 'run']
     if folder.endswith('Bed'):
         patterns += ['VTK', 'dem', 'postProcessing', 'log.*', 'frames', '*.gif']
+    if folder.endswith('damBreakWithParticles'):
+        patterns += ['frames', '*.gif']
     if folder.endswith('Bed/constant'):
         patterns += ['polyMesh']
     if folder.endswith('ErgunBed'):
@@ -35,6 +37,9 @@ def fresh(path, name):
                                   'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction',
                                   'cfdDemFoam/sphereInWater',
                                   'cfdDemFoam/packedBedHeat', 'cfdDemFoam/hinderedSettling',
+                                  'interDemFoam/particlesThroughSurface',
+                                  pytest.param('interDemFoam/floatingSpheres', marks=pytest.mark.slow),
+                                  pytest.param('interDemFoam/damBreakWithParticles', marks=pytest.mark.slow),
                                   'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):
