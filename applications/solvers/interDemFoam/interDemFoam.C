@@ -56,6 +56,8 @@ Usage
 #include "caseDictionary.H"
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"
+#include "linearGradient.H"
+#include "meshSymmetry.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
 #include "particleOutput.H"
@@ -138,8 +140,12 @@ int main(int argc, char *argv[])
             if (pimple.turbCorr())
             {
                 turbulence->correct();
+                #include "carrierTurbulence.H"
             }
         }
+
+        // What the particles will see of it
+        surface.correctSpeed(U);
 
         #include "surfaceReport.H"
         exchange.report();

@@ -77,6 +77,10 @@ void Foam::dew::particleExchange::sizeForces()
     forces_.surfaceCurvature.setSize(nSurface);
     forces_.surfaceK.setSize(nSurface);
 
+    const label nTension = need.tension ? n : 0;
+    forces_.surfaceTension.setSize(nTension);
+    forces_.contactAngle.setSize(nTension);
+
     forces_.nMemory = need.memory;
     forces_.memory = memory();
 }
@@ -159,6 +163,12 @@ void Foam::dew::particleExchange::evaluateLaws()
             forces_.surfaceSpeed[i] = s.speed;
             forces_.surfaceCurvature[i] = s.curvature;
             forces_.surfaceK[i] = s.n == vector::zero ? 0 : f.surfaceK;
+            if (need.tension)
+            {
+                forces_.surfaceTension[i] =
+                    s.n == vector::zero ? 0 : f.surfaceTension;
+                forces_.contactAngle[i] = f.contactAngle;
+            }
         }
         if (heatTransfer_)
         {

@@ -7,6 +7,8 @@
 
 #include "particleExchange.H"
 #include "linearGradient.H"
+#include "sphereInSurface.H"
+#include "surfaceSpring.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -106,6 +108,7 @@ void Foam::dew::particleExchange::gatherHere(const tensorField* gradU)
 void Foam::dew::particleExchange::gatherSurfaces()
 {
     const vectorField& C = mesh_.C();
+    const bool two = fluid_.twoFluids();
 
     surfaces_.setSize(state_.size());
     UList<liquidSurface>& surfaces = surfaces_;
@@ -120,6 +123,15 @@ void Foam::dew::particleExchange::gatherSurfaces()
             s.X = C[celli] + (*fluid_.psi)[celli]*s.n;
             s.speed = (*fluid_.surfaceSpeed)[celli];
             s.curvature = (*fluid_.curvature)[celli];
+            if (two)
+            {
+                s.mu1 = (*fluid_.mu1)[celli];
+                s.mu2 = (*fluid_.mu2)[celli];
+            }
+            if (fluid_.sigma)
+            {
+                s.sigma = (*fluid_.sigma)[celli];
+            }
         }
     );
 }
@@ -192,6 +204,30 @@ void Foam::dew::particleExchange::gatherSpread()
 }
 
 
+void Foam::dew::particleExchange::cut(const label i, carrier& c) const
+{
+    const liquidSurface& s = c.surface;
+    if (s.n == vector::zero)
+    {
+        return;
+    }
+
+    // At the middle of the step: a particle that floats keeps its energy
+    const vector y
+    (
+        state_.x[i] - s.X + 0.5*c.deltaT*(state_.v[i] - s.speed*s.n)
+    );
+    vector m;
+    const scalar delta =
+        surfaceDistance(y.cdata(), s.n.cdata(), s.curvature, m.data());
+    const scalar share = shareInLiquid(2*delta/state_.d[i]);
+
+    const scalar rho2 = fluid_.rho2->value();
+    c.rho = rho2 + share*(fluid_.rho1->value() - rho2);
+    c.mu = s.mu2 + share*(s.mu1 - s.mu2);
+}
+
+
 Foam::dew::carrier Foam::dew::particleExchange::around
 (
     const label i,
@@ -207,7 +243,7 @@ Foam::dew::carrier Foam::dew::particleExchange::around
     {
         c.spread = spread_[i];
     }
-    if (needs().surface)
+    if (needs().surface || fluid_.twoFluids())
     {
         c.surface = surfaces_[i];
     }
@@ -225,6 +261,10 @@ Foam::dew::carrier Foam::dew::particleExchange::around
         c.motion.gradU = map_.toSpace(c.motion.gradU, i);
         c.motion.DUDt = map_.toSpace(c.motion.DUDt, i);
         c.motion.divTau = map_.toSpace(c.motion.divTau, i);
+    }
+    if (fluid_.twoFluids())
+    {
+        cut(i, c);
     }
 
     return c;

@@ -18,7 +18,7 @@ namespace Foam
 {
 namespace dew
 {
-    defineTypeName(cellColumns);
+    defineTypeNameAndDebug(cellColumns, 0);
 }
 }
 

@@ -186,7 +186,17 @@ bool Foam::dew::paraboloidFit::find
     }
 
     const planesAround::plane own = planes_[0];
-    const vector& ez = own.n;
+
+    // Over the mean plane: that of a corner of a cell may be far off
+    vector ez(Zero);
+    scalar area = 0;
+    for (const planesAround::plane& p : planes_)
+    {
+        ez += p.area*p.n;
+        area += p.area;
+    }
+    ez = mag(ez) > 0.5*area ? ez/mag(ez) : own.n;
+
     const vector ex
     (
         normalised

@@ -74,6 +74,8 @@ Foam::dew::twoFluids::twoFluids
         ),
         alpha*rho1_ + (scalar(1) - alpha)*rho2_
     ),
+    mu1_(IOobject("mu1", U.time().timeName(), U.db()), rho1_*nu1_->nu()),
+    mu2_(IOobject("mu2", U.time().timeName(), U.db()), rho2_*nu2_->nu()),
     mu_(IOobject("mu", U.time().timeName(), U.db()), rho_*nu1_->nu()),
     nu_(IOobject("nu", U.time().timeName(), U.db()), mu_/rho_)
 {
@@ -91,8 +93,9 @@ void Foam::dew::twoFluids::correct()
     const volScalarField alpha(min(max(alpha_, scalar(0)), scalar(1)));
 
     rho_ = alpha*rho1_ + (scalar(1) - alpha)*rho2_;
-    mu_ =
-        alpha*rho1_*nu1_->nu() + (scalar(1) - alpha)*rho2_*nu2_->nu();
+    mu1_ = rho1_*nu1_->nu();
+    mu2_ = rho2_*nu2_->nu();
+    mu_ = alpha*mu1_ + (scalar(1) - alpha)*mu2_;
     nu_ = mu_/rho_;
 }
 

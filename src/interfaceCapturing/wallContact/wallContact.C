@@ -17,7 +17,11 @@ namespace
 
 using namespace Foam;
 
-bool cuts(const polyMesh& mesh, const label facei, const point& x, const vector& n)
+//- Does the plane through x cut the face?
+bool cuts
+(
+    const polyMesh& mesh, const label facei, const point& x, const vector& n
+)
 {
     scalar low = GREAT, high = -GREAT;
     for (const label pointi : mesh.faces()[facei])

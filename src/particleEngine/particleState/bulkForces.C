@@ -19,16 +19,18 @@ void Foam::dew::bulkForces::check(const label n) const
         Sn.size(), kick.size(), heatKick.size(), kT.size(),
         surfaceX.size(), surfaceN.size(), surfaceSpeed.size(),
         surfaceCurvature.size(), surfaceK.size(), addedMass.size(),
-        nMemory ? memory.size()/nMemory : 0
+        nMemory ? memory.size()/nMemory : 0,
+        surfaceTension.size(), contactAngle.size()
     };
     static const char* names[] =
     {
         "Su", "Sp", "U", "Tu", "Tp", "Omega", "Qu", "Qp", "Tf",
         "Sn", "kick", "heatKick", "kT", "surfaceX", "surfaceN",
-        "surfaceSpeed", "surfaceCurvature", "surfaceK", "addedMass", "memory"
+        "surfaceSpeed", "surfaceCurvature", "surfaceK", "addedMass", "memory",
+        "surfaceTension", "contactAngle"
     };
 
-    for (label k = 0; k < 20; k++)
+    for (label k = 0; k < 22; k++)
     {
         if (sizes[k] != 0 && sizes[k] != n)
         {
@@ -43,6 +45,8 @@ void Foam::dew::bulkForces::check(const label n) const
             k < 9 && k % 3 == 1 ? k + 1
           : k == 12 && sizes[k] ? 1
           : k > 12 && k < 18 ? 13
+          : k == 20 ? 21
+          : k == 21 && sizes[k] ? 13
           : k;
 
         if (sizes[k] != sizes[partner])

@@ -30,7 +30,8 @@ Description
 
     Colloids (fixIntegrateColloids.cpp) have more columns, made when they are
     first needed: Brownian motion (brownianMotion) and the force of a liquid's
-    surface (surfaceSpring), both exact at any sub-step. The surface's impulse
+    surface, of a skin (surfaceSpring) or of a contact line (sphereInSurface,
+    by its tangent), both exact at any sub-step. The surface's impulse
     is not counted as received; the noise is, with the drag that takes it up
     again: what is left of both is the particle's thermal momentum.
 
@@ -108,12 +109,13 @@ public:
         kT = 0,
         // centre from the moving foot of the surface, normal there
         offset = 1, normal = 4, speed = 7, curvature = 8, stiffness = 9,
+        tension = 20, angle = 21,
         // derived at the start of a call: ornsteinUhlenbeck
         noiseV = 10, noiseXV = 11, noiseX = 12,
         // within a sub-step: change of v not yet made; normal at the particle
         // (zero without a force) and distance of its first half
         pending = 13, springNormal = 16, springDistance = 19,
-        nColloidColumns = 20
+        nColloidColumns = 22
     };
 
 private:
@@ -150,8 +152,16 @@ private:
 
     // Colloids
 
-        //- Does the surface pull this particle, how far out is it, normal
+        //- Is there a surface, that pulls this particle? How far out is it,
+        //  normal
+        bool surfaced(const double* c) const
+        {
+            return c[stiffness] > 0 || c[tension] > 0;
+        }
         bool pulled(const double* c, double R, double& delta, double* m) const;
+
+        //- Its force along the normal, and how that falls with delta
+        double pull(const double* c, double R, double delta, double& k) const;
 
         //- Way out of the surface over a time t; change of v and of the
         //  received impulse with respect to the relaxation without it

@@ -9,6 +9,7 @@
 
 #include "fixIntegrate.h"
 #include "../brownianMotion.H"
+#include "../sphereInSurface.H"
 #include "../surfaceSpring.H"
 
 #include <algorithm>
@@ -44,13 +45,33 @@ bool Foam::dew::fixIntegrate::pulled
     double* m
 ) const
 {
-    if (!(c[stiffness] > 0))
+    if (!surfaced(c))
     {
         return false;
     }
     delta = surfaceDistance(c + offset, c + normal, c[curvature], m);
 
-    return delta > 0 && delta < R;
+    return delta > (c[tension] > 0 ? -R : 0) && delta < R;
+}
+
+
+double Foam::dew::fixIntegrate::pull
+(
+    const double* c,
+    const double R,
+    const double delta,
+    double& k
+) const
+{
+    if (c[tension] > 0)
+    {
+        const contactLinePull line(c[tension], c[angle], R, delta);
+        // Where it grows with delta it drives the particle away: explicit
+        k = std::max(line.stiffness, 0.0);
+        return line.force;
+    }
+    k = c[stiffness];
+    return -k*delta;
 }
 
 
@@ -69,14 +90,16 @@ double Foam::dew::fixIntegrate::spring
     const double mass = atom->rmass[i];
     const double perMass = t/mass;
     const double h = d[Sp]*perMass;
-    const springResponse response(h, c[stiffness]*t*perMass);
+    double k = 0;
+    const double held = pull(c, atom->radius[i], delta, k);
+    const springResponse response(h, k*t*perMass);
 
     // In the frame of the surface
     const double w = c[speed]*dot(c + normal, m);
     const double v = dot(atom->v[i], m);
     const double bulk = dot(d + Su, m) + d[Sp]*dot(d + U, m);
     const double F = dot(atom->f[i], m) + bulk;
-    const double B = F - d[Sp]*w - c[stiffness]*delta;
+    const double B = F - d[Sp]*w + held;
     const double way = t*(response.speed*(v - w) + perMass*response.force*B);
     const double after =
         response.keep*(v - w) + perMass*response.speed*B + w;
@@ -114,7 +137,7 @@ void Foam::dew::fixIntegrate::beforeFirst()
         {
             std::memset(m, 0, 3*sizeof(double));
         }
-        if (!(c[stiffness] > 0))
+        if (!surfaced(c))
         {
             continue;
         }
@@ -176,7 +199,7 @@ void Foam::dew::fixIntegrate::afterFirst()
                 data_[i][impulse+k] += atom->rmass[i]*c[pending+k];
             }
         }
-        if (c[stiffness] > 0)
+        if (surfaced(c))
         {
             for (int k = 0; k < 3; k++)
             {
@@ -256,11 +279,12 @@ double Foam::dew::fixIntegrate::drift
     {
         // Exact relaxation in the frame of the surface
         const double* c = colloid_[i];
-        const double rate = mobility*c[stiffness];
-        const double q = rate*update->dt;
+        double stiff = 0;
+        const double force = pull(c, atom->radius[i], delta, stiff);
+        const double q = mobility*stiff*update->dt;
         const double w = c[speed]*dot(c + normal, m);
         const double free = dot(v, m);
-        const double more = phi1(q)*(free - w - rate*delta) + w - free;
+        const double more = phi1(q)*(free - w + mobility*force) + w - free;
 
         for (int k = 0; k < 3; k++)
         {

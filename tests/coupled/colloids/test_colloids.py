@@ -466,3 +466,21 @@ def test_law_refused(tmp_path, what):
     assert done.code != 0 and done.output.count('FATAL') == 1, done.output
     for word in words:
         assert word in ' '.join(done.output.split()), done.output
+
+
+# --- The contact line of two fluids
+
+@pytest.mark.parametrize('theta, z', [(60, -0.2), (60, -0.8), (120, 0.1), (90, 0.5)])
+@pytest.mark.parametrize('dynamics, h', [({}, 0.5), ({}, 20), (OVERDAMPED, 20)],
+                         ids=['inertial', 'inertial-long', 'overdamped'])
+def test_tension_holds_a_sphere(tmp_path, dynamics, h, theta, z):
+    """A force Su along the normal is held where 2 pi R sigma [z sin(theta) sqrt(1 - z^2) + cos(theta) (1 - z^2)] = Su (the
+    tension at the contact line), z = delta/R, for 2 pi sigma dt/Sp = 1, 20 and others: to 1e-6 R. It is not received."""
+    dt, angle = h * TAU, np.deg2rad(theta)
+    sigma = SP / dt / (2*np.pi)
+    F = 2*np.pi*R*sigma*(z*np.sin(angle)*np.sqrt(1 - z*z) + np.cos(angle)*(1 - z*z))
+    case = colloids(tmp_path, (100*D + (z + 0.03)*R, 100*D, 100*D), dt, 400, 2, dynamics, modulus=1)
+    run(case, {'Sp': SP, 'U': (0, 0, 0), 'Su': (F, 0, 0), **surface(0.0), 'surfaceTension': sigma, 'contactAngle': angle})
+    row = state(case, 800 * dt)
+    assert abs((row['x'][0] - 100*D)/R - z) < 1e-6
+    assert abs(row['jx'][0] / (F*400*dt) - 1) < 1e-5

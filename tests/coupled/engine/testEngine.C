@@ -198,6 +198,8 @@ int main(int argc, char *argv[])
         fill("surfaceSpeed", b.surfaceSpeed, scalar(0));
         fill("surfaceCurvature", b.surfaceCurvature, scalar(0));
         fill("surfaceK", b.surfaceK, scalar(0));
+        fill("surfaceTension", b.surfaceTension, scalar(0));
+        fill("contactAngle", b.contactAngle, scalar(0));
 
         for (label i = 0; i < b.surfaceX.size(); i++)
         {

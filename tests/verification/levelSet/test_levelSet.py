@@ -6,13 +6,11 @@ balls, 9 to 76 % at most at walls of 15 to 75 degrees (H. Scheufler, J. Roenby, 
 same authors' two-phase solver library); height functions 0.16 % and 0.2 %.
 Speeds of the bubble: table 5-2 of the thesis that the method is from, coupled VOF and level set.
 """
-import re
-
 import numpy as np
 import pytest
 
 from bubbleCase import BubbleCase
-from dewCase import SIDES, Case, quoted
+from dewCase import SIDES, Case
 
 NAMES = ['cells', 'K', 'worstK', 'distances', 'psi', 'worstPsi', 'normals', 'n', 'worstN', 'time']
 
@@ -100,7 +98,7 @@ def test_discs(tmp_path, radius):
 
 
 # Largest error of the curvature: below that of the reconstructed distance function at every angle
-ANGLES = {45: 0.15, 60: 0.08, 75: 0.06, 90: 0.03, 120: 0.08, 135: 0.2}
+ANGLES = {45: 0.15, 60: 0.08, 75: 0.06, 90: 0.03, 120: 0.08, 135: 0.3}
 
 
 @pytest.mark.parametrize('theta', ANGLES)
@@ -147,13 +145,20 @@ def test_balance(tmp_path, force):
     case.mesh()
     speeds = case.solve()
     assert speeds.max() < 1e-10
+    # The sagitta of the planes at 5 cells per radius, 1/60 at most
+    assert case.displacements.max() < 1/60
     p = case.field('p_rgh', '0.05')
     assert p.max() - p.min() == pytest.approx(1.96/0.25, rel=1e-8)
 
 
-def displacement(output):
-    return np.array(re.findall(r'off the planes by (\S+) dx', output), dtype=float)
-
-
-# Largest speed over the last half second [m/s]: a tenth of that of the coupled method in the thesis at 160 cells
+# Largest speed of the coupled method in the thesis, of a bubble of 160 cells per width after 3 s [m/s]
 THESIS = 2.697e-3
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('force', ['levelSetCSF', 'densityScaledCSF'])
+def test_bubble(tmp_path, force):
+    """At a quarter of the resolution of the thesis, a tenth of its speed."""
+    case = BubbleCase(tmp_path, 40, 'levelSet', 'levelSet', force=force, endTime=3, deltaT=0.0125, writeInterval=240)
+    case.mesh()
+    assert case.solve()[-1] < 0.1*THESIS

@@ -27,7 +27,15 @@ void Foam::dew::lawNeeds::refuse
         FatalIOErrorInFunction(dict)
             << "Law " << law << " needs a solver with a liquid surface: "
             << dict.name() << nl
-            << "Use a solver of drops, or remove the law" << exit(FatalIOError);
+            << "Use interDemFoam or interEvapDemFoam, or remove the law"
+            << exit(FatalIOError);
+    }
+    if (tension && !offered.tension)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Law " << law << " needs the surface tension of two fluids, which"
+            << " this solver does not offer: " << dict.name() << nl
+            << "Use interDemFoam, or remove the law" << exit(FatalIOError);
     }
     if (turbulence && !offered.turbulence)
     {

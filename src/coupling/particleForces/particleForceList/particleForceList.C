@@ -188,7 +188,10 @@ Foam::dew::particleForceList::sum Foam::dew::particleForceList::total
             result.Sn += f.Su + f.Sp*(c.U - p.U);
         }
         result.kT += f.kT;
+        // Of one law at most: a second surface is refused
         result.surfaceK += f.surfaceK;
+        result.surfaceTension += f.surfaceTension;
+        result.contactAngle += f.contactAngle;
         result.Tu += f.Tu;
         result.Tp += f.Tp;
     }

@@ -69,7 +69,7 @@ Foam::vector Foam::dew::curvatureModels::reconstructedDistance::onFace
     if (patch.coupled())
     {
         const scalar w = patch.weights()[i];
-        return w*n[celli] + (1 - w)*n.boundaryField()[patchi][i];
+        return w*n[celli] + (1 - w)*behind_[patchi][i];
     }
     if (polyPatch::constraintType(patch.type()))
     {
@@ -90,6 +90,15 @@ void Foam::dew::curvatureModels::reconstructedDistance::calculate
 {
     const fvMesh& mesh = surface_.mesh();
     const scalar m = paraboloidFit(mesh).nBends();
+
+    behind_.setSize(mesh.boundary().size());
+    for (const fvPatchVectorField& patch : surface_.n().boundaryField())
+    {
+        if (patch.coupled())
+        {
+            behind_[patch.patch().index()] = patch.patchNeighbourField();
+        }
+    }
 
     for (const label celli : surface_.planes().cell())
     {

@@ -39,14 +39,23 @@ void Foam::dew::distanceModels::levelSet::calculateGradient
             {
                 continue;
             }
-            g +=
-                l.w
-               *(
-                    l.patch >= 0
-                  ? -(wallContact::normal(surface_, l, psi[celli], n, gradn_[celli]) & l.d)
-                  : (l.cell >= 0 ? psi[l.cell] : psiBehind_[-1 - l.cell])
-                  - psi[celli]
-                );
+            scalar rise = -psi[celli];
+            if (l.patch >= 0)
+            {
+                rise =
+                  - (
+                        wallContact::normal
+                        (
+                            surface_, l, psi[celli], n, gradn_[celli]
+                        )
+                      & l.d
+                    );
+            }
+            else
+            {
+                rise += l.cell >= 0 ? psi[l.cell] : psiBehind_[-1 - l.cell];
+            }
+            g += rise*l.w;
         }
         gradient_[celli] = g;
     }

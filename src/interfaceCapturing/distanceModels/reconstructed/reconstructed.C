@@ -117,6 +117,8 @@ void Foam::dew::distanceModels::reconstructed::nextLayer
 {
     const fvMesh& mesh = surface_.mesh();
     const label nInternal = mesh.nInternalFaces();
+    const labelUList& owner = mesh.owner();
+    const labelUList& neighbour = mesh.neighbour();
 
     // What is behind coupled boundaries
     const label nBoundary = mesh.nBoundaryFaces();
@@ -209,9 +211,7 @@ void Foam::dew::distanceModels::reconstructed::nextLayer
             if (mesh.isInternalFace(facei))
             {
                 const label next =
-                    mesh.owner()[facei] == celli
-                  ? mesh.neighbour()[facei]
-                  : mesh.owner()[facei];
+                    owner[facei] == celli ? neighbour[facei] : owner[facei];
                 if (layer_[next] > 0 && layer_[next] < layer)
                 {
                     add(closest_[next]);
@@ -224,63 +224,6 @@ void Foam::dew::distanceModels::reconstructed::nextLayer
             }
         }
         mean(celli, planes, psi[celli], n[celli]);
-    }
-}
-
-
-void Foam::dew::distanceModels::reconstructed::normals
-(
-    const volScalarField& psi,
-    vectorField& n
-) const
-{
-    const fvMesh& mesh = surface_.mesh();
-    const surfaceScalarField& weights = mesh.weights();
-
-    for (label layer = 1; layer < nLayers; layer++)
-    {
-        for (const label celli : cells_[layer])
-        {
-            vector grad(Zero);
-            bool whole = true;
-            for (const label facei : mesh.cells()[celli])
-            {
-                if (mesh.isInternalFace(facei))
-                {
-                    const label own = mesh.owner()[facei];
-                    const label nei = mesh.neighbour()[facei];
-                    whole = whole && layer_[own] > 0 && layer_[nei] > 0;
-                    const scalar w = weights[facei];
-                    const vector part
-                    (
-                        (w*psi[own] + (1 - w)*psi[nei])*mesh.Sf()[facei]
-                    );
-                    grad += own == celli ? part : -part;
-                }
-                else
-                {
-                    const label patchi = mesh.boundaryMesh().whichPatch(facei);
-                    const fvPatch& patch = mesh.boundary()[patchi];
-                    const label i = facei - patch.start();
-                    if (patch.size() == 0)
-                    {
-                        continue;
-                    }
-                    scalar value = psi.boundaryField()[patchi][i];
-                    if (patch.coupled())
-                    {
-                        const scalar w = weights.boundaryField()[patchi][i];
-                        value = w*psi[celli] + (1 - w)*value;
-                    }
-                    grad += value*patch.Sf()[i];
-                }
-            }
-            const scalar size = mag(grad);
-            if (whole && size > 0.5*mesh.V()[celli])
-            {
-                n[celli] = -grad/size;
-            }
-        }
     }
 }
 
@@ -348,7 +291,6 @@ void Foam::dew::distanceModels::reconstructed::correct
               - (d & n.boundaryField()[patchi].patchInternalField());
         }
     }
-    if (false) normals(psi, nc);
     n.correctBoundaryConditions();
     forAll(mesh.boundary(), patchi)
     {

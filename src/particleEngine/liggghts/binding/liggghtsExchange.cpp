@@ -180,6 +180,8 @@ void Foam::dew::liggghtsEmbedded::pushColloids(const bulkForcesView& b)
     set(b.surfaceSpeed, f::speed, 1, 1/u.velocity());
     set(b.surfaceCurvature, f::curvature, 1, u.length);
     set(b.surfaceK, f::stiffness, 1, u.length/u.force());
+    set(b.surfaceTension, f::tension, 1, u.length/u.force());
+    set(b.contactAngle, f::angle, 1, 1);
 
     for (int i = 0; i < n; i++)
     {

@@ -172,6 +172,8 @@ Foam::label Foam::dew::liggghtsEngine::advance
     view.surfaceSpeed = data(b.surfaceSpeed);
     view.surfaceCurvature = data(b.surfaceCurvature);
     view.surfaceK = data(b.surfaceK);
+    view.surfaceTension = data(b.surfaceTension);
+    view.contactAngle = data(b.contactAngle);
     view.addedMass = data(b.addedMass);
     view.nMemory = b.nMemory;
     view.memory = data(b.memory);
