@@ -99,7 +99,14 @@ int main(int argc, char *argv[])
     const dew::meshSymmetry symmetry(mesh);
     const dew::filling liquid(mesh, symmetry, dict);
     alpha.primitiveFieldRef() = liquid.share();
-    alpha.correctBoundaryConditions();
+    for (fvPatchScalarField& boundary : alpha.boundaryFieldRef())
+    {
+        // Not evaluated: some need the flux, which is not there yet
+        if (!boundary.fixesValue())
+        {
+            boundary == boundary.patchInternalField();
+        }
+    }
 
     liquid.report(Info);
     Info<< "Writing " << alpha.objectPath() << nl << endl;
