@@ -99,13 +99,11 @@ int main(int argc, char *argv[])
     const dew::meshSymmetry symmetry(mesh);
     const dew::filling liquid(mesh, symmetry, dict);
     alpha.primitiveFieldRef() = liquid.share();
-    for (fvPatchScalarField& boundary : alpha.boundaryFieldRef())
+
+    // Not evaluated: conditions may ask for fields that are not here
+    for (fvPatchScalarField& patch : alpha.boundaryFieldRef())
     {
-        // Not evaluated: some need the flux, which is not there yet
-        if (!boundary.fixesValue())
-        {
-            boundary == boundary.patchInternalField();
-        }
+        patch = patch.patchInternalField();
     }
 
     liquid.report(Info);

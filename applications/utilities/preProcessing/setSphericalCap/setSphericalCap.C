@@ -111,7 +111,12 @@ int main(int argc, char *argv[])
     (
         cap, alpha.primitiveFieldRef(), area, faces
     );
-    alpha.correctBoundaryConditions();
+
+    // Not evaluated: conditions may ask for fields that are not here
+    for (fvPatchScalarField& patch : alpha.boundaryFieldRef())
+    {
+        patch = patch.patchInternalField();
+    }
 
     const scalar held = gSum(alpha.primitiveField()*mesh.V());
     const scalar share = dew::surfaceMotions::quasiStatic::shareInMesh

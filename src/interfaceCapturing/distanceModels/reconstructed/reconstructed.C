@@ -117,6 +117,8 @@ void Foam::dew::distanceModels::reconstructed::nextLayer
 {
     const fvMesh& mesh = surface_.mesh();
     const label nInternal = mesh.nInternalFaces();
+    const labelUList& owner = mesh.owner();
+    const labelUList& neighbour = mesh.neighbour();
 
     // What is behind coupled boundaries
     const label nBoundary = mesh.nBoundaryFaces();
@@ -209,9 +211,7 @@ void Foam::dew::distanceModels::reconstructed::nextLayer
             if (mesh.isInternalFace(facei))
             {
                 const label next =
-                    mesh.owner()[facei] == celli
-                  ? mesh.neighbour()[facei]
-                  : mesh.owner()[facei];
+                    owner[facei] == celli ? neighbour[facei] : owner[facei];
                 if (layer_[next] > 0 && layer_[next] < layer)
                 {
                     add(closest_[next]);

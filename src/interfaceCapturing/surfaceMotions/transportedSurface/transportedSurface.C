@@ -175,16 +175,23 @@ void Foam::dew::transportedSurface::update(const scalarField& alpha)
 }
 
 
-void Foam::dew::transportedSurface::correct(const surfaceFlow& flow)
+void Foam::dew::transportedSurface::correct
+(
+    const surfaceFlow& flow,
+    const bool distance
+)
 {
     volume_ =
         gSum(alpha_.primitiveField()*flow.alphac.primitiveField()*mesh_.V());
 
     reconstruction_->correct(alpha_);
     angles_.correct(planes(), flow);
-    distance_->correct(psi_, n_);
+    if (distance || curvatureModel_->needsDistance())
+    {
+        distance_->correct(psi_, n_);
+        correctSpeed(flow.U);
+    }
     curvatureModel_->correct(curvature_);
-    correctSpeed(flow.U);
 }
 
 
