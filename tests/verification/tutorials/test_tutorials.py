@@ -35,6 +35,9 @@ def fresh(path, name):
                                   'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction',
                                   'cfdDemFoam/sphereInWater',
                                   'cfdDemFoam/packedBedHeat', 'cfdDemFoam/hinderedSettling',
+                                  pytest.param('interDemFoam/sessileShape', marks=pytest.mark.slow),
+                                  pytest.param('interDemFoam/pinnedDrop', marks=pytest.mark.slow),
+                                  pytest.param('interDemFoam/capillaryRise', marks=pytest.mark.slow),
                                   'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):
