@@ -74,7 +74,10 @@ Foam::dew::contactAngleModels::KistlerContactAngle::KistlerContactAngle
     thetaA_(degToRad(userEntry::within(dict, "thetaA", 0, 180))),
     thetaR_
     (
-        degToRad(userEntry::within(dict, "thetaR", 0, radToDeg(thetaA_)))
+        degToRad
+        (
+            userEntry::within(dict, "thetaR", 0, dict.get<scalar>("thetaA"))
+        )
     ),
     xA_(inverse(thetaA_)),
     xR_(inverse(thetaR_))

@@ -15,8 +15,8 @@
 namespace
 {
 
-//- New points instead of those near to them. The others stay: a cell may be
-//  full or empty for a moment
+//- New points, each once (neighbours may see the same one), instead of those
+//  near to them. The others stay: a cell may be full or empty for a moment
 void hold
 (
     Foam::pointField& held,
@@ -24,19 +24,34 @@ void hold
     const Foam::scalar near
 )
 {
-    Foam::DynamicList<Foam::point> all(points);
-    for (const Foam::point& old : held)
+    Foam::DynamicList<Foam::point> all;
+    const auto isNear = [&](const Foam::point& x, const Foam::scalar distance)
     {
-        bool replaced = false;
-        for (const Foam::point& x : points)
+        for (const Foam::point& other : all)
         {
-            replaced = replaced || magSqr(x - old) < Foam::sqr(near);
+            if (magSqr(x - other) < Foam::sqr(distance))
+            {
+                return true;
+            }
         }
-        if (!replaced)
+        return false;
+    };
+    for (const Foam::point& x : points)
+    {
+        if (!isNear(x, 1e-6*near))
         {
-            all.append(old);
+            all.append(x);
         }
     }
+    Foam::DynamicList<Foam::point> others;
+    for (const Foam::point& x : held)
+    {
+        if (!isNear(x, near))
+        {
+            others.append(x);
+        }
+    }
+    all.append(others);
     held.transfer(all);
 }
 

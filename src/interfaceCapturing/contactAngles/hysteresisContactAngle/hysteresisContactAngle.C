@@ -34,7 +34,10 @@ Foam::dew::contactAngleModels::hysteresisContactAngle::hysteresisContactAngle
     thetaA_(degToRad(userEntry::within(dict, "thetaA", 0, 180))),
     thetaR_
     (
-        degToRad(userEntry::within(dict, "thetaR", 0, radToDeg(thetaA_)))
+        degToRad
+        (
+            userEntry::within(dict, "thetaR", 0, dict.get<scalar>("thetaA"))
+        )
     )
 {
     userEntry::onlyThese(dict, {"type", "thetaA", "thetaR"});
