@@ -259,7 +259,7 @@ const Foam::dew::bulkForces& Foam::dew::particleExchange::forces()
     {
         const tmp<tensorField> gradU(velocityGradient());
         gatherHere(gradU.valid() ? &gradU() : nullptr);
-        if (needs().surface || fluid_.twoFluids())
+        if (seesSurface())
         {
             gatherSurfaces();
         }

@@ -243,7 +243,7 @@ Foam::dew::carrier Foam::dew::particleExchange::around
     {
         c.spread = spread_[i];
     }
-    if (needs().surface || fluid_.twoFluids())
+    if (seesSurface())
     {
         c.surface = surfaces_[i];
     }
@@ -262,7 +262,7 @@ Foam::dew::carrier Foam::dew::particleExchange::around
         c.motion.DUDt = map_.toSpace(c.motion.DUDt, i);
         c.motion.divTau = map_.toSpace(c.motion.divTau, i);
     }
-    if (fluid_.twoFluids())
+    if (seesSurface() && fluid_.twoFluids())
     {
         cut(i, c);
     }

@@ -40,7 +40,7 @@ Foam::dew::filling::filling
     dict_(dict),
     share_(mesh.nCells(), Zero)
 {
-    userEntry::onlyThese(dict, {"liquid", "shapes", "FoamFile"});
+    // Other entries may be there, for macros
     const dictionary& shapes = userEntry::subDict(dict, "shapes");
     for (const entry& e : shapes)
     {

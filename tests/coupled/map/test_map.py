@@ -45,7 +45,7 @@ class MapCase(FluidCase):
                         + '\n')
         self.write_file('constant/testProperties', foam_dict({
             'voidFraction': {'type': 'divided'},
-            'coupling': {'voidFraction': {'type': 'none'}, 'forces': {'drag': {'type': 'Stokes'}}}, **entries}))
+            'coupling': {'voidFraction': {'type': 'none'}, 'momentum': 'none', 'forces': {'drag': {'type': 'Stokes'}}}, **entries}))
         done = self.run('testMap', ranks=ranks)
         assert done.code == 0, done.output
         cells, particles = (np.genfromtxt(self.path / name, delimiter=',', names=True, ndmin=1)

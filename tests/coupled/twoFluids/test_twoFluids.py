@@ -79,13 +79,22 @@ def same(one, other, time, ranks, tolerance):
         assert np.abs(a[name] - b[name]).max() < tolerance*np.abs(a['vz']).max()
 
 
+ALL = {'drag': {'type': 'DiFelice'}, 'pressure': {'type': 'pressureGradientForce'}, 'mass': {'type': 'virtualMass'},
+       'stress': {'type': 'viscousStressForce'}, 'lift': {'type': 'SaffmanMei'},
+       'capillarity': {'type': 'capillaryForce', 'contactAngle': 80}}
+
+
+def crossing(path, **keywords):
+    """Spheres that cross the surface with all kinds of laws."""
+    return falling(path, sigma=0.072, deltaT=2.5e-4, tolerance=1e-14, forces=ALL, **keywords)
+
+
 @pytest.fixture(scope='module')
 def whole(tmp_path_factory):
     """32 steps on one rank, the spheres in the surface at half of them."""
-    case = falling(tmp_path_factory.mktemp('whole'), sigma=0.072, deltaT=2.5e-4, endTime=8e-3, writeInterval=32,
-                   tolerance=1e-14)
+    case = crossing(tmp_path_factory.mktemp('whole'), endTime=8e-3, writeInterval=32)
     case.mesh()
-    solve(case)
+    assert unbalanced(solve(case)) < 1e-12
     return case
 
 
@@ -100,7 +109,7 @@ def test_two_ranks_do_as_one(whole, tmp_path):
 @pytest.mark.parametrize('ranks', [1, 2])
 def test_restart_goes_on(whole, tmp_path, ranks):
     """16 steps, a restart, 16 more; on two ranks also."""
-    case = falling(tmp_path/'parts', sigma=0.072, deltaT=2.5e-4, endTime=4e-3, writeInterval=16, tolerance=1e-14)
+    case = crossing(tmp_path/'parts', endTime=4e-3, writeInterval=16)
     case.mesh()
     solve(case)
     case.control['endTime'] = 8e-3
@@ -120,7 +129,7 @@ def test_no_force_in_fluids_at_rest_but_buoyancy(tmp_path, sigma):
     what the pressure solver leaves in air."""
     case = box(tmp_path, [(2.1e-3, 5.3e-3, 3e-3), (6.3e-3, 6.1e-3, LEVEL), (9.1e-3, 4.7e-3, LEVEL - 0.6e-3),
                           (3e-3, 9.3e-3, LEVEL + 0.6e-3)], sigma=sigma, endTime=5e-3, writeInterval=10,
-               modulus=1e3, tolerance=1e-15)
+               modulus=1e3, tolerance=1e-15, outer=4)
     materials = {'water': 1000.0, 'half': 500.6, 'air': 1.2}
     stone = case.properties['materials']['glass']
     case.properties['materials'] = {'glass': stone, **{m: {**stone, 'density': d} for m, d in materials.items()}}
@@ -218,6 +227,16 @@ def test_refusals(tmp_path, subject):
     done = case.run('interDemFoam')
     assert done.code != 0 and not case.times()
     for word in words:
+        assert word in done.output, word
+
+
+def test_particles_need_the_distance(tmp_path):
+    case = floating(tmp_path, 500)
+    case.surface['distance'] = {'type': 'none'}
+    case.mesh()
+    done = case.run('interDemFoam')
+    assert done.code != 0 and not case.times()
+    for word in ('surfaceProperties', 'distance', 'none', 'reconstructed', 'Particles'):
         assert word in done.output, word
 
 

@@ -13,6 +13,8 @@ def left(folder, names):
     patterns = ['R[0-9]*', '[0-9]*', '*.png', '__pycache__', 'runs', 'run']
     if folder.endswith('Bed'):
         patterns += ['VTK', 'dem', 'postProcessing', 'log.*', 'frames', '*.gif']
+    if folder.endswith('damBreakWithParticles'):
+        patterns += ['frames', '*.gif']
     if folder.endswith('Bed/constant'):
         patterns += ['polyMesh']
     if folder.endswith('ErgunBed'):
@@ -39,6 +41,12 @@ def fresh(path, name):
                                   pytest.param('interDemFoam/pinnedDrop', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/capillaryRise', marks=pytest.mark.slow),
                                   'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
+                                  'interDemFoam/particlesThroughSurface',
+                                  pytest.param('interDemFoam/floatingSpheres', marks=pytest.mark.slow),
+                                  pytest.param('interDemFoam/damBreakWithParticles', marks=pytest.mark.slow),
+                                  pytest.param('interDemFoam/staticDroplet', marks=pytest.mark.slow),
+                                  pytest.param('interDemFoam/capillaryWave', marks=pytest.mark.slow),
+                                  'interDemFoam/risingBubble', 'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):
     case = fresh(tmp_path / 'case', name)
@@ -118,6 +126,26 @@ def test_validate_notices_a_wrong_dictionary(tmp_path, name, file, right, wrong)
     ids=['stefanTube', 'sessileLifetime'])
 def test_validate_notices_a_wrong_vapour(tmp_path, name, file, right, wrong, only):
     case = fresh(tmp_path / 'case', f'interEvapDemFoam/{name}')
+    path = case / file
+    text = path.read_text()
+    assert right in text
+    path.write_text(text.replace(right, wrong))
+    done = run_command(['./Allrun', only], case, 300)
+    assert done.code == 0, done.output[-3000:]
+    done = run_command(['./validate'], case, 120)
+    assert done.code != 0 and 'FAIL' in done.output.splitlines()[-1]
+
+
+@pytest.mark.parametrize('name, file, right, wrong, only', [
+    # Surface tension smaller by a hundredth: the curvature is given, and the jump 1 % less
+    ('staticDroplet', 'prescribed/constant/surfaceProperties', 'sigma 0.07274', 'sigma 0.072', 'prescribed'),
+    # A wave that is slower by 2 %
+    ('capillaryWave', 'explicit32/constant/surfaceProperties', 'sigma 1;', 'sigma 0.96;', 'explicit32'),
+    # A bubble in a fluid of 10 % more viscosity
+    ('risingBubble', 'case1-40/constant/transportProperties', 'nu 0.01; rho 1000', 'nu 0.011; rho 1000', 'case1-40')],
+    ids=['staticDroplet', 'capillaryWave', 'risingBubble'])
+def test_validate_notices_a_wrong_fluid(tmp_path, name, file, right, wrong, only):
+    case = fresh(tmp_path / 'case', f'interDemFoam/{name}')
     path = case / file
     text = path.read_text()
     assert right in text

@@ -61,6 +61,11 @@ Foam::dew::transportedSurface::transportedSurface
             "curvature", "contactAngles", "surfaceTension"
         }
     );
+    // As long as nobody reads them
+    psi_ == dimensionedScalar(dimLength, Zero);
+    n_ == dimensionedVector(dimless, Zero);
+    speed_ == dimensionedScalar(dimVelocity, Zero);
+
     alpha_.oldTime();
     alphaPhi_.setOriented();
 
