@@ -40,7 +40,6 @@ def fresh(path, name):
                                   pytest.param('interDemFoam/sessileShape', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/pinnedDrop', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/capillaryRise', marks=pytest.mark.slow),
-                                  'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
                                   'interDemFoam/particlesThroughSurface',
                                   pytest.param('interDemFoam/floatingSpheres', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/damBreakWithParticles', marks=pytest.mark.slow),
