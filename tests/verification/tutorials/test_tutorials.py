@@ -42,12 +42,9 @@ def fresh(path, name):
                                   pytest.param('interDemFoam/damBreakWithParticles', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/staticDroplet', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/capillaryWave', marks=pytest.mark.slow),
-<<<<<<< HEAD
                                   pytest.param('interDemFoam/capillaryRise', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/sessileShape', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/pinnedDrop', marks=pytest.mark.slow),
-=======
->>>>>>> wall
                                   'interDemFoam/risingBubble', 'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):
