@@ -13,21 +13,21 @@
 namespace
 {
 
-constexpr Foam::label nLayers = 3;
-
-//- The layer of cells further away
-constexpr Foam::scalar beyond = nLayers + 1;
-
-Foam::scalar onFace
+//- Nothing, where both cells have no value
+void setFace
 (
+    Foam::scalar& face,
     const Foam::scalar own, const Foam::scalar layerOwn,
     const Foam::scalar nei, const Foam::scalar layerNei
 )
 {
-    return
-        layerOwn < layerNei ? own
-      : layerNei < layerOwn ? nei
-      : 0.5*(own + nei);
+    if (Foam::min(layerOwn, layerNei) < Foam::dew::alongInterface::beyond)
+    {
+        face =
+            layerOwn < layerNei ? own
+          : layerNei < layerOwn ? nei
+          : 0.5*(own + nei);
+    }
 }
 
 } // End anonymous namespace
@@ -91,12 +91,12 @@ void Foam::dew::alongInterface::toFaces
 
     forAll(own, facei)
     {
-        faceValues[facei] =
-            onFace
-            (
-                values[own[facei]], layer[own[facei]],
-                values[nei[facei]], layer[nei[facei]]
-            );
+        setFace
+        (
+            faceValues[facei],
+            values[own[facei]], layer[own[facei]],
+            values[nei[facei]], layer[nei[facei]]
+        );
     }
 
     forAll(mesh.boundary(), patchi)
@@ -104,22 +104,25 @@ void Foam::dew::alongInterface::toFaces
         const fvPatchScalarField& valueb = values.boundaryField()[patchi];
         const fvPatchScalarField& layerb = layer.boundaryField()[patchi];
         scalarField& facesb = faceValues.boundaryFieldRef()[patchi];
+        const bool coupled = valueb.coupled();
 
-        if (valueb.coupled())
+        // A patch without cells beyond it has those inside on both sides
+        const scalarField valueIn(valueb.patchInternalField());
+        const scalarField layerIn(layerb.patchInternalField());
+        const scalarField valueOut
+        (
+            coupled ? valueb.patchNeighbourField() : tmp<scalarField>(valueIn)
+        );
+        const scalarField layerOut
+        (
+            coupled ? layerb.patchNeighbourField() : tmp<scalarField>(layerIn)
+        );
+        forAll(facesb, i)
         {
-            const scalarField valueIn(valueb.patchInternalField());
-            const scalarField valueOut(valueb.patchNeighbourField());
-            const scalarField layerIn(layerb.patchInternalField());
-            const scalarField layerOut(layerb.patchNeighbourField());
-            forAll(facesb, i)
-            {
-                facesb[i] =
-                    onFace(valueIn[i], layerIn[i], valueOut[i], layerOut[i]);
-            }
-        }
-        else
-        {
-            facesb = valueb.patchInternalField();
+            setFace
+            (
+                facesb[i], valueIn[i], layerIn[i], valueOut[i], layerOut[i]
+            );
         }
     }
 }

@@ -53,6 +53,7 @@ Foam::dew::surfaceTension::surfaceTension
     maxSteps_(1)
 {
     const dictionary& dict = surfaceProperties.subDict("surfaceTension");
+    wordList known({"type", "sigma", "semiImplicit", "maxSteps"});
 
     if (dict.getOrDefault<Switch>("semiImplicit", false))
     {
@@ -61,7 +62,9 @@ Foam::dew::surfaceTension::surfaceTension
           ? userEntry::within(dict, "implicitShare", 0.25, 1)
           : 0.5;
         maxSteps_ = 10;
+        known.append("implicitShare");
     }
+    userEntry::onlyThese(dict, known);
     maxSteps_ = userEntry::positiveOr(dict, "maxSteps", dimless, maxSteps_);
 }
 

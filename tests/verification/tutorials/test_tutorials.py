@@ -37,7 +37,7 @@ def fresh(path, name):
                                   'cfdDemFoam/settlingSphere', 'cfdDemFoam/hotSphere', 'cfdDemFoam/voidFraction',
                                   'cfdDemFoam/sphereInWater',
                                   'cfdDemFoam/packedBedHeat', 'cfdDemFoam/hinderedSettling',
-                                  pytest.param('interDemFoam/particlesThroughSurface', marks=pytest.mark.slow),
+                                  'interDemFoam/particlesThroughSurface',
                                   pytest.param('interDemFoam/floatingSpheres', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/damBreakWithParticles', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/staticDroplet', marks=pytest.mark.slow),

@@ -71,7 +71,7 @@ Foam::dew::contactAngles::contactAngles
         IOobject
         (
             "contactLines", mesh.time().timeName(), "uniform", mesh,
-            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE
         )
     ),
     mesh_(mesh),
@@ -115,6 +115,10 @@ Foam::dew::contactAngles::contactAngles
             theta_[patchi] = models_[patchi].start();
 
             const word& name = mesh.boundary()[patchi].name();
+            if (models_[patchi].holds())
+            {
+                writeOpt() = IOobject::AUTO_WRITE;
+            }
             if (models_[patchi].holds() && found(name))
             {
                 held_[patchi] = pointField(lookup(name));

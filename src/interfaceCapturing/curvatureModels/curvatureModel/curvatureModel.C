@@ -53,6 +53,7 @@ void Foam::dew::curvatureModel::correct(volScalarField& curvature)
 
     calculate(curvature.primitiveFieldRef(), known);
     alongInterface::extend(curvature, known, layer_);
+    Kf_ = dimensionedScalar(Kf_.dimensions(), Zero);
     alongInterface::toFaces(curvature, layer_, Kf_);
 
     curvature *= 0.5;

@@ -71,7 +71,8 @@ Foam::dew::transportedSurface::transportedSurface
 
     const scalar low = gMin(alpha_.primitiveField());
     const scalar high = gMax(alpha_.primitiveField());
-    if (low < -1e-6 || high > 1 + 1e-6)
+    // Also where they are not numbers
+    if (!(low >= -1e-6 && high <= 1 + 1e-6))
     {
         FatalErrorInFunction
             << "The field " << alpha_.objectPath() << " has values from " << low
@@ -116,58 +117,33 @@ Foam::tmp<Foam::surfaceScalarField> Foam::dew::transportedSurface::onSurface
 ) const
 {
     const interfacePlanes& surfaces = planes();
-    const dimensionedScalar zero(g.dimensions()*dimLength, Zero);
-
     tmp<surfaceScalarField> tfaces(g & mesh_.Cf());
-    surfaceScalarField& faces = tfaces.ref();
 
-    // Of the cells that are crossed; the others count for nothing
+    // The cells that are crossed are of layer 0, the others do not know
     volScalarField value
     (
         IOobject("onSurface", mesh_.time().timeName(), mesh_),
         mesh_,
-        zero,
+        dimensionedScalar(g.dimensions()*dimLength, Zero),
         zeroGradientFvPatchScalarField::typeName
     );
-    volScalarField crossed("crossed", value/dimensionedScalar("1", zero.dimensions(), 1));
+    volScalarField layer
+    (
+        IOobject("layer", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("beyond", dimless, alongInterface::beyond),
+        zeroGradientFvPatchScalarField::typeName
+    );
     forAll(surfaces.cell(), i)
     {
         const label celli = surfaces.cell()[i];
         value[celli] = g.value() & surfaces.x()[i];
-        crossed[celli] = 1;
+        layer[celli] = 0;
     }
     value.correctBoundaryConditions();
-    crossed.correctBoundaryConditions();
+    layer.correctBoundaryConditions();
+    alongInterface::toFaces(value, layer, tfaces.ref());
 
-    const auto mean = [&](scalar& face, scalar n, scalar sum)
-    {
-        face = n > 0 ? sum/n : face;
-    };
-
-    forAll(mesh_.owner(), facei)
-    {
-        const label own = mesh_.owner()[facei];
-        const label nei = mesh_.neighbour()[facei];
-        mean
-        (
-            faces[facei], crossed[own] + crossed[nei], value[own] + value[nei]
-        );
-    }
-    forAll(mesh_.boundary(), patchi)
-    {
-        if (mesh_.boundary()[patchi].coupled())
-        {
-            const fvPatchScalarField& v = value.boundaryField()[patchi];
-            const fvPatchScalarField& c = crossed.boundaryField()[patchi];
-            const scalarField sum(v.patchInternalField() + v.patchNeighbourField());
-            const scalarField n(c.patchInternalField() + c.patchNeighbourField());
-            scalarField& facesb = faces.boundaryFieldRef()[patchi];
-            forAll(facesb, i)
-            {
-                mean(facesb[i], n[i], sum[i]);
-            }
-        }
-    }
     return tfaces;
 }
 
