@@ -46,8 +46,22 @@ Foam::dew::particleExchange::velocityWithWallLayers() const
 {
     tmp<volVectorField> tU(new volVectorField("USeen", fluid_.Uc));
 
+    // Where the fluid sticks; the same patches on all ranks
+    DynamicList<label> walls;
+    forAll(mesh_.boundary(), patchi)
+    {
+        if
+        (
+            isA<wallFvPatch>(mesh_.boundary()[patchi])
+         && fluid_.U.boundaryField()[patchi].fixesValue()
+        )
+        {
+            walls.append(patchi);
+        }
+    }
+
     // A fluid that does not feel the particles has its own layer
-    if (!twoWay())
+    if (!twoWay() || walls.empty())
     {
         return tU;
     }
@@ -82,18 +96,9 @@ Foam::dew::particleExchange::velocityWithWallLayers() const
     const scalarField& alphac = alphac_.field();
     volVectorField& U = tU.ref();
 
-    forAll(mesh_.boundary(), patchi)
+    for (const label patchi : walls)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
-        if
-        (
-            !isA<wallFvPatch>(patch)
-         || !fluid_.U.boundaryField()[patchi].fixesValue()
-        )
-        {
-            continue;
-        }
-
         const labelUList& cells = patch.faceCells();
         const vectorField n(patch.nf());
         const scalarField& perDistance = patch.deltaCoeffs();

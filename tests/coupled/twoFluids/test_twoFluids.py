@@ -230,6 +230,16 @@ def test_refusals(tmp_path, subject):
         assert word in done.output, word
 
 
+def test_unknown_entry_of_surface_tension(tmp_path):
+    """Also one that would do nothing: the share of an implicit part that is off."""
+    for entry in ({'semiImplict': 'yes'}, {'implicitShare': 0.5}):
+        case = floating(tmp_path/next(iter(entry)), 500)
+        case.surface['surfaceTension'].update(entry)
+        case.mesh()
+        done = case.run('interDemFoam')
+        assert done.code != 0 and next(iter(entry)) in done.output and 'surfaceTension' in done.output
+
+
 def test_particles_need_the_distance(tmp_path):
     case = floating(tmp_path, 500)
     case.surface['distance'] = {'type': 'none'}
