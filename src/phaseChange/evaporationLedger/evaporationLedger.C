@@ -9,7 +9,7 @@
 #include "interfaceTransfer.H"
 #include "liquidModel.H"
 #include "OSspecific.H"
-#include "surfaceShape.H"
+#include "surfaceMotion.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -46,7 +46,7 @@ Foam::dew::evaporationLedger::record::record(const evaporationLedger& ledger)
 Foam::dew::evaporationLedger::evaporationLedger
 (
     const fvMesh& mesh,
-    const surfaceShape& surface,
+    const surfaceMotion& surface,
     const interfaceTransfer& interface,
     gasPhase& gas,
     const liquidModel& liquid,
@@ -195,6 +195,21 @@ void Foam::dew::evaporationLedger::add
     else
     {
         out_ += more;
+    }
+}
+
+
+void Foam::dew::evaporationLedger::giveBack(const scalar unmet)
+{
+    const scalar mass = unmet*rhoL_;
+    evaporated_ -= mass;
+    if (gas_.isTransient())
+    {
+        gas_.add(-mass);
+    }
+    else
+    {
+        out_ -= mass;
     }
 }
 

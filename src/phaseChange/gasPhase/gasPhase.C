@@ -6,34 +6,42 @@
 
 #include "gasPhase.H"
 #include "Enum.H"
+#include "fvcDiv.H"
 #include "gasModel.H"
 #include "interfaceTransfer.H"
+#include "linear.H"
 #include "meanRhoD.H"
 #include "neighbourSum.H"
-#include "surfaceShape.H"
+#include "phaseRegion.H"
 #include "Time.H"
+#include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
 
-Foam::IOobject massIO
+Foam::volScalarField heldField
 (
     const Foam::word& name,
     const Foam::fvMesh& mesh,
+    const Foam::dimensionSet& dims,
     const bool transient
 )
 {
-    return Foam::IOobject
+    using namespace Foam;
+    return volScalarField
     (
-        name,
-        mesh.time().timeName(),
+        IOobject
+        (
+            name,
+            mesh.time().timeName(),
+            mesh,
+            transient ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
+            transient ? IOobject::AUTO_WRITE : IOobject::NO_WRITE
+        ),
         mesh,
-        transient
-      ? Foam::IOobject::READ_IF_PRESENT : Foam::IOobject::NO_READ,
-        transient
-      ? Foam::IOobject::AUTO_WRITE : Foam::IOobject::NO_WRITE
+        dimensionedScalar("none", dims, -1)
     );
 }
 
@@ -45,8 +53,8 @@ Foam::IOobject massIO
 Foam::dew::gasPhase::gasPhase
 (
     const gasModel& model,
-    const surfaceShape& surface,
     const interfaceTransfer& interface,
+    const phaseRegion& region,
     const volScalarField& T,
     volScalarField* Y,
     const dictionary& phaseChangeProperties
@@ -54,8 +62,8 @@ Foam::dew::gasPhase::gasPhase
 :
     mesh_(T.mesh()),
     model_(model),
-    surface_(surface),
     interface_(interface),
+    region_(region),
     T_(T),
     Y_(Y),
     transient_
@@ -65,12 +73,12 @@ Foam::dew::gasPhase::gasPhase
             "gas", phaseChangeProperties, false
         )
     ),
-    Vg_(mesh_.nCells(), Zero),
     rho_
     (
         IOobject("rho.gas", mesh_.time().timeName(), mesh_),
         mesh_,
-        dimensionedScalar("rho", dimDensity, 1)
+        dimensionedScalar("rho", dimDensity, 1),
+        zeroGradientFvPatchScalarField::typeName
     ),
     GammaY_
     (
@@ -78,87 +86,35 @@ Foam::dew::gasPhase::gasPhase
         mesh_,
         dimensionedScalar("zero", dimMass/dimLength/dimTime, Zero)
     ),
-    vapourMass_
-    (
-        massIO("vapourMass", mesh_, transient_),
-        mesh_,
-        dimensionedScalar("none", dimMass, -1)
-    ),
-    gasMass_
-    (
-        massIO("gasMass", mesh_, transient_),
-        mesh_,
-        dimensionedScalar("none", dimMass, -1)
-    ),
+    vapour_(heldField("vapourHeld", mesh_, dimDensity, transient_)),
+    gas_(heldField("gasHeld", mesh_, dimDensity, transient_)),
+    share_(heldField("gasShare", mesh_, dimless, transient_)),
+    vapour0_(mesh_.nCells(), Zero),
+    gas0_(mesh_.nCells(), Zero),
+    V0_(mesh_.nCells(), Zero),
     wasGas_(interface.faces().gas())
 {
-    findVolumes();
     correct();
 
-    // Not read: what the fields at the start make it
-    if (transient_ && gMin(gasMass_.primitiveField()) < 0)
+    if (transient_)
     {
-        store();
+        // Not read: what the fields at the start make it
+        if (gMin(gas_.primitiveField()) < 0)
+        {
+            store();
+        }
+        collect();
     }
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalarField Foam::dew::gasPhase::weights() const
+void Foam::dew::gasPhase::collect()
 {
-    const auto& faces = interface_.faces().faces();
-    scalarField w(faces.size());
-    forAll(faces, k)
-    {
-        w[k] = faces[k].S*mag(faces[k].n & faces[k].e);
-    }
-    return w;
-}
-
-
-void Foam::dew::gasPhase::findVolumes()
-{
-    const interfaceFaces& faces = interface_.faces();
-    const boolList& gas = faces.gas();
-    const scalarField& alpha = surface_.alpha();
-    const scalarField w(weights());
-
-    scalarField all(mesh_.nCells(), Zero);
-    faces.toLiquid(w, all);
-
-    // Gas in liquid cells, per weight of their faces
-    volScalarField beyond
-    (
-        IOobject("beyond", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("zero", dimless, Zero)
-    );
-    scalar unassigned = 0;
-    forAll(gas, celli)
-    {
-        const scalar volume = (1 - alpha[celli])*mesh_.V()[celli];
-        Vg_[celli] = gas[celli] ? volume : 0;
-
-        if (!gas[celli] && all[celli] > VSMALL)
-        {
-            beyond[celli] = volume/all[celli];
-        }
-        else if (!gas[celli])
-        {
-            unassigned += volume;
-        }
-    }
-    beyond.correctBoundaryConditions();
-    reduce(unassigned, sumOp<scalar>());
-    const scalar perWeight = unassigned/max(gSum(w), VSMALL);
-
-    const scalarField share(faces.ofLiquid(beyond));
-    forAll(w, k)
-    {
-        const interfaceFace& face = faces.faces()[k];
-        Vg_[face.gas] += w[k]*((face.wall ? 0 : share[k]) + perWeight);
-    }
+    vapour0_ = region_.collect(vapour_.primitiveField());
+    gas0_ = region_.collect(gas_.primitiveField());
+    V0_ = region_.collect(share_.primitiveField());
 }
 
 
@@ -189,29 +145,6 @@ void Foam::dew::gasPhase::fillNew()
 }
 
 
-void Foam::dew::gasPhase::spread(const scalar vapour, const scalar gas)
-{
-    const auto& faces = interface_.faces().faces();
-    const scalarField w(weights());
-    const scalar sum = gSum(w);
-
-    if (sum > VSMALL)
-    {
-        forAll(faces, k)
-        {
-            vapourMass_[faces[k].gas] += vapour*w[k]/sum;
-            gasMass_[faces[k].gas] += gas*w[k]/sum;
-        }
-    }
-    else
-    {
-        const scalar V = gSum(Vg_);
-        vapourMass_.primitiveFieldRef() += vapour*Vg_/V;
-        gasMass_.primitiveFieldRef() += gas*Vg_/V;
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::dew::gasPhase::correct()
@@ -222,6 +155,25 @@ void Foam::dew::gasPhase::correct()
         {
             rho_[celli] = model_.rho(0, T_[celli]);
         }
+        rho_.correctBoundaryConditions();
+
+        // Without vapour, what drives the flow is heat
+        volScalarField Gamma
+        (
+            IOobject("Gamma", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar(GammaY_.dimensions(), Zero),
+            zeroGradientFvPatchScalarField::typeName
+        );
+        forAll(Gamma, celli)
+        {
+            const scalar T = T_[celli];
+            Gamma[celli] = model_.kappa(0, T)/model_.Cp(0, T);
+        }
+        Gamma.correctBoundaryConditions();
+        GammaY_ =
+            interface_.faces().sameGas()
+           *linear<scalar>(mesh_).interpolate(Gamma);
         return;
     }
 
@@ -234,6 +186,7 @@ void Foam::dew::gasPhase::correct()
     {
         rho_[celli] = model_.rho(gas[celli] ? Y[celli] : 0, T_[celli]);
     }
+    rho_.correctBoundaryConditions();
 
     forAll(mesh_.owner(), facei)
     {
@@ -293,7 +246,7 @@ Foam::dew::gasPhase::storageSp() const
     if (transient_)
     {
         tsp.ref().field() =
-            rho_.primitiveField()*Vg_/mesh_.V()/mesh_.time().deltaTValue();
+            rho_.primitiveField()*region_.V()/mesh_.V()/mesh_.time().deltaTValue();
     }
     return tsp;
 }
@@ -311,7 +264,7 @@ Foam::dew::gasPhase::storageSu() const
     if (transient_)
     {
         tsu.ref().field() =
-            vapourMass_.primitiveField()/mesh_.V()/mesh_.time().deltaTValue();
+            vapour0_/mesh_.V()/mesh_.time().deltaTValue();
     }
     return tsu;
 }
@@ -323,7 +276,7 @@ Foam::tmp<Foam::volScalarField::Internal> Foam::dew::gasPhase::storage() const
     if (transient_)
     {
         ts.ref().field() -=
-            gasMass_.primitiveField()/mesh_.V()/mesh_.time().deltaTValue();
+            gas0_/mesh_.V()/mesh_.time().deltaTValue();
     }
     return ts;
 }
@@ -334,21 +287,19 @@ void Foam::dew::gasPhase::store()
     if (transient_)
     {
         // The density the equation had: the mass closes
-        gasMass_.primitiveFieldRef() = rho_.primitiveField()*Vg_;
-        vapourMass_.primitiveFieldRef() =
+        const scalarField mass(rho_.primitiveField()*region_.V());
+        gas_.primitiveFieldRef() = region_.giveBack(mass);
+        vapour_.primitiveFieldRef() =
             Y_
-          ? gasMass_.primitiveField()*Y_->primitiveField()
+          ? region_.giveBack(mass*Y_->primitiveField())
           : tmp<scalarField>(new scalarField(mesh_.nCells(), Zero));
+        share_.primitiveFieldRef() = region_.giveBack(region_.V());
     }
 }
 
 
 void Foam::dew::gasPhase::move()
 {
-    const scalar vapour = held();
-    const scalar gas = transient_ ? gSum(gasMass_.primitiveField()) : 0;
-
-    findVolumes();
     if (Y_)
     {
         fillNew();
@@ -357,32 +308,83 @@ void Foam::dew::gasPhase::move()
 
     if (transient_)
     {
-        forAll(rho_, celli)
-        {
-            rho_[celli] =
-                model_.rho
-                (
-                    wasGas_[celli] && Y_ ? (*Y_)[celli] : 0, T_[celli]
-                );
-        }
-        store();
-        spread
-        (
-            vapour - held(), gas - gSum(gasMass_.primitiveField())
-        );
+        collect();
     }
 }
 
 
 void Foam::dew::gasPhase::add(const scalar vapour)
 {
-    spread(vapour, vapour);
+    const auto& faces = interface_.faces().faces();
+    const scalarField shares(region_.shares());
+    forAll(shares, k)
+    {
+        const label celli = faces[k].gas;
+        const scalar part = vapour*shares[k]/mesh_.V()[celli];
+        vapour_[celli] += part;
+        gas_[celli] += part;
+    }
+    if (!returnReduce(shares.size(), sumOp<label>()))
+    {
+        const scalarField part
+        (
+            vapour*region_.V()/gSum(region_.V())/mesh_.V()
+        );
+        vapour_.primitiveFieldRef() += part;
+        gas_.primitiveFieldRef() += part;
+    }
 }
 
 
 Foam::scalar Foam::dew::gasPhase::held() const
 {
-    return transient_ ? gSum(vapourMass_.primitiveField()) : 0;
+    return transient_ ? gSum(vapour_.primitiveField()*mesh_.V()) : 0;
+}
+
+
+Foam::tmp<Foam::volScalarField::Internal> Foam::dew::gasPhase::expansion
+(
+    const surfaceScalarField& phiG
+) const
+{
+    auto te = tmp<volScalarField::Internal>::New
+    (
+        IOobject("expansion", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless/dimTime, Zero)
+    );
+    scalarField& e = te.ref().field();
+
+    // Where the density differs, what the flux brings changes its volume
+    const volScalarField v(1/rho_);
+    e =
+        fvc::div(phiG*linear<scalar>(mesh_).interpolate(v))().primitiveField()
+      - v.primitiveField()*fvc::div(phiG)().primitiveField();
+
+    const boolList& gas = interface_.faces().gas();
+    const scalar dt = mesh_.time().deltaTValue();
+    forAll(e, celli)
+    {
+        if (!gas[celli])
+        {
+            e[celli] = 0;
+        }
+        else if (transient_ && V0_[celli] > 0)
+        {
+            e[celli] -=
+                region_.V()[celli]
+               *(1 - gas0_[celli]/(V0_[celli]*rho_[celli]))
+               /(mesh_.V()[celli]*dt);
+        }
+    }
+
+    for (label k = 0; k < interface_.faces().faces().size(); k++)
+    {
+        const label celli = interface_.faces().faces()[k].gas;
+        e[celli] += interface_.through(k)*v[celli]/mesh_.V()[celli];
+    }
+
+    return te;
 }
 
 

@@ -5,7 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "interfaceFaces.H"
-#include "surfaceShape.H"
+#include "surfaceMotion.H"
 #include "syncTools.H"
 #include "wallFvPatch.H"
 
@@ -14,7 +14,7 @@
 Foam::dew::interfaceFaces::interfaceFaces
 (
     const fvMesh& mesh,
-    const surfaceShape& surface
+    const surfaceMotion& surface
 )
 :
     mesh_(mesh),
@@ -40,8 +40,9 @@ void Foam::dew::interfaceFaces::add
     const label facei,
     const label gas,
     const label liquid,
-    const point& xGas,
     const point& xLiquid,
+    const scalar psiLiquid,
+    const point& xGas,
     const scalar d,
     const bool wall
 )
@@ -49,7 +50,18 @@ void Foam::dew::interfaceFaces::add
     // A centre on the surface itself would be no distance from it
     const scalar least = 1e-6;
     const scalar f =
-        min(max(surface_.crossing(xLiquid, xGas), least), 1 - least);
+        min
+        (
+            max
+            (
+                surface_.crossing
+                (
+                    xLiquid, psiLiquid, xGas, surface_.psi()[gas]
+                ),
+                least
+            ),
+            1 - least
+        );
 
     interfaceFace face;
     face.patch = patch;
@@ -97,7 +109,10 @@ void Foam::dew::interfaceFaces::correct()
         {
             const label g = gas_[own] ? own : nei;
             const label l = gas_[own] ? nei : own;
-            add(-1, facei, g, l, C[g], C[l], 1/delta[facei], false);
+            add
+            (
+                -1, facei, g, l, C[l], psi[l], C[g], 1/delta[facei], false
+            );
         }
     }
 
@@ -131,8 +146,8 @@ void Foam::dew::interfaceFaces::correct()
                 {
                     add
                     (
-                        patchi, facei, celli, -1, C[celli],
-                        C[celli] + across[facei],
+                        patchi, facei, celli, -1, C[celli] + across[facei],
+                        other[facei], C[celli],
                         1/delta.boundaryField()[patchi][facei], false
                     );
                 }
@@ -151,13 +166,14 @@ void Foam::dew::interfaceFaces::correct()
                 {
                     sameGas[facei] = 0;
                 }
-                else if (isA<wallFvPatch>(patch) && surface_.inLiquid(Cf))
+                else if (isA<wallFvPatch>(patch) && surface_.wets(patchi, facei))
                 {
                     sameGas[facei] = 0;
                     sameSide[facei] = 0;
                     add
                     (
-                        patchi, facei, celli, -1, C[celli], Cf,
+                        patchi, facei, celli, -1, Cf,
+                        psi.boundaryField()[patchi][facei], C[celli],
                         1/delta.boundaryField()[patchi][facei], true
                     );
                 }

@@ -7,7 +7,7 @@
 #include "interfaceTransfer.H"
 #include "gasModel.H"
 #include "liquidModel.H"
-#include "surfaceShape.H"
+#include "surfaceMotion.H"
 #include "Time.H"
 #include "userEntry.H"
 
@@ -39,7 +39,7 @@ Foam::volScalarField::Internal noSource
 Foam::dew::interfaceTransfer::interfaceTransfer
 (
     const fvMesh& mesh,
-    const surfaceShape& surface,
+    const surfaceMotion& surface,
     const liquidModel& liquid,
     const gasModel& gas,
     const dictionary& phaseChangeProperties
@@ -213,6 +213,15 @@ void Foam::dew::interfaceTransfer::linearise
     Su = 0;
     Sp = 0;
     change_ = 0;
+    const scalar fixedTs = law_->fixedTs();
+    if (fixedTs > 0 && !energy)
+    {
+        FatalErrorInFunction
+            << "Evaporation by " << law_->type() << " follows from heat, and"
+            << " the energy equation is off" << nl
+            << "Set 'energy on;' in constant/phaseChangeProperties"
+            << exit(FatalError);
+    }
 
     forAll(faces, k)
     {
@@ -247,7 +256,7 @@ void Foam::dew::interfaceTransfer::linearise
             {
                 KL_[k] = 0;
             }
-            film.Ts = findTs(k, film);
+            film.Ts = fixedTs > 0 ? fixedTs : findTs(k, film);
         }
         else
         {
@@ -262,7 +271,15 @@ void Foam::dew::interfaceTransfer::linearise
         flux_[k] = law_->flux(film);
         Y0_[k] = film.Y;
         dTsdY_[k] = 0;
-        if (energy)
+        if (fixedTs > 0)
+        {
+            flux_[k].N =
+                (
+                    KG_[k]*(film.T - fixedTs) + KL_[k]*(TN_[k] - fixedTs)
+                )
+               /(liquid_.hv(p0, fixedTs)*face.S);
+        }
+        else if (energy)
         {
             // More vapour, less evaporates, the surface gets warmer
             filmFlux& f = flux_[k];
@@ -296,6 +313,7 @@ void Foam::dew::interfaceTransfer::assemble(const volScalarField* Y)
     forAll(faces, k)
     {
         const interfaceFace& face = faces[k];
+        const scalar before = N_[k];
         N_[k] = N0_[k] + (Y ? flux_[k].dNdY*(*Y)[face.gas] : 0);
         if (Y)
         {
@@ -306,7 +324,7 @@ void Foam::dew::interfaceTransfer::assemble(const volScalarField* Y)
         }
         rate_ += N_[k]*face.S;
         most += mag(flux_[k].N)*face.S;
-        moved += mag(N_[k] - flux_[k].N)*face.S;
+        moved += mag(N_[k] - (Y ? flux_[k].N : before))*face.S;
     }
     reduce(rate_, sumOp<scalar>());
     reduce(most, sumOp<scalar>());

@@ -11,7 +11,7 @@
 #include "gasModel.H"
 #include "liquidModel.H"
 #include "neighbourSum.H"
-#include "surfaceShape.H"
+#include "surfaceMotion.H"
 #include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -33,12 +33,18 @@ void Foam::dew::interfaceTransfer::heat
     forAll(faces, k)
     {
         const interfaceFace& face = faces[k];
+        const bool fixed = law_->fixedTs() > 0;
         const scalar hv = latentHeat(flux_[k], Ts_[k]);
         const scalar slope = hv*flux_[k].dNdTs*face.S;
         const scalar sum = KG_[k] + KL_[k] + slope;
         const scalar latent = hv*N_[k]*face.S - slope*Ts_[k];
 
-        const scalar conductance = KG_[k]*KL_[k]/sum;
+        const scalar conductance = fixed ? 0 : KG_[k]*KL_[k]/sum;
+
+        // Of what each side brings, the share that the surface takes, and what
+        // it gives by itself
+        const scalar takes = fixed ? 1 : slope/sum;
+        const scalar gives = fixed ? Ts_[k] : -latent/sum;
         (
             face.patch < 0
           ? kappaf[face.face]
@@ -58,11 +64,11 @@ void Foam::dew::interfaceTransfer::heat
             max(-N_[k], scalar(0))*face.S*liquid_.Cp(p0, Ts_[k]);
 
         const scalar V = mesh_.V()[face.gas];
-        Su[face.gas] += (-KG_[k]/sum*latent + toGas*Ts_[k])/V;
-        Sp[face.gas] += (KG_[k]/sum*slope + toGas)/V;
+        Su[face.gas] += (KG_[k]*gives + toGas*Ts_[k])/V;
+        Sp[face.gas] += (KG_[k]*takes + toGas)/V;
 
-        liquidSu[k] = -KL_[k]/sum*latent + toLiquid*Ts_[k];
-        liquidSp[k] = KL_[k]/sum*slope + toLiquid;
+        liquidSu[k] = KL_[k]*gives + toLiquid*Ts_[k];
+        liquidSp[k] = KL_[k]*takes + toLiquid;
     }
 
     scalarField cellSu(mesh_.nCells(), Zero), cellSp(mesh_.nCells(), Zero);
@@ -101,6 +107,22 @@ void Foam::dew::interfaceTransfer::heat
             }
         }
     }
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::interfaceTransfer::sourceOf
+(
+    const scalar factor
+) const
+{
+    auto tsource = tmp<scalarField>::New(mesh_.nCells(), Zero);
+    scalarField& source = tsource.ref();
+    forAll(N_, k)
+    {
+        const label celli = faces_.faces()[k].gas;
+        source[celli] += factor*through(k)/mesh_.V()[celli];
+    }
+    return tsource;
 }
 
 

@@ -5,6 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "reconstruction.H"
+#include "Map.H"
+#include "surfaceFields.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -81,4 +83,80 @@ void Foam::dew::reconstruction::appendPlane
     }
     cut.cutPlane(d, share, near);
     planes_.append(celli, cut.centre(), d, mag(cut.S()));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::reconstruction::addFaces(const volScalarField& alpha)
+{
+    const auto full = [&](const scalar a) { return a >= 1 - tolerance_; };
+    const auto empty = [&](const scalar a) { return a <= tolerance_; };
+
+    // Few: sums by cell, in the order they are met
+    DynamicList<label> cells;
+    DynamicList<vector> Sf, moment;
+    Map<label> place;
+    const auto add = [&](const label celli, const vector& S, const point& x)
+    {
+        if (place.insert(celli, cells.size()))
+        {
+            cells.append(celli);
+            Sf.append(Zero);
+            moment.append(Zero);
+        }
+        const label at = place[celli];
+        Sf[at] += S;
+        moment[at] += mag(S)*(x - mesh_.C()[celli]);
+    };
+
+    const labelUList& own = mesh_.owner();
+    const labelUList& nei = mesh_.neighbour();
+    forAll(own, facei)
+    {
+        const scalar a = alpha[own[facei]];
+        const scalar b = alpha[nei[facei]];
+        if (full(a) && empty(b))
+        {
+            add(own[facei], mesh_.Sf()[facei], mesh_.Cf()[facei]);
+        }
+        else if (full(b) && empty(a))
+        {
+            add(nei[facei], -mesh_.Sf()[facei], mesh_.Cf()[facei]);
+        }
+    }
+    for (const fvPatchScalarField& patch : alpha.boundaryField())
+    {
+        if (patch.coupled())
+        {
+            const scalarField other(patch.patchNeighbourField());
+            const label patchi = patch.patch().index();
+            forAll(other, i)
+            {
+                const label celli = patch.patch().faceCells()[i];
+                if (full(alpha[celli]) && empty(other[i]))
+                {
+                    add
+                    (
+                        celli,
+                        mesh_.Sf().boundaryField()[patchi][i],
+                        mesh_.Cf().boundaryField()[patchi][i]
+                    );
+                }
+            }
+        }
+    }
+
+    forAll(cells, i)
+    {
+        const scalar area = mag(Sf[i]);
+        const vector n(direction(Sf[i]));
+        if (area > 0 && n != vector(Zero))
+        {
+            planes_.append
+            (
+                cells[i], mesh_.C()[cells[i]] + moment[i]/area, n, area
+            );
+        }
+    }
 }

@@ -210,18 +210,6 @@ bool Foam::dew::surfaceMotions::film::inLiquid(const point& x) const
 }
 
 
-Foam::scalar Foam::dew::surfaceMotions::film::crossing
-(
-    const point& inside,
-    const point& outside
-) const
-{
-    const scalar below = h_ - height(inside);
-    const scalar above = height(outside) - h_;
-    return below + above > 0 ? below/(below + above) : 0;
-}
-
-
 void Foam::dew::surfaceMotions::film::evolve(const scalar liquidLost)
 {
     before_ = h_;

@@ -161,7 +161,9 @@ bool Foam::dew::surfaceMotions::quasiStatic::inLiquid(const point& x) const
 Foam::scalar Foam::dew::surfaceMotions::quasiStatic::crossing
 (
     const point& inside,
-    const point& outside
+    const scalar,
+    const point& outside,
+    const scalar
 ) const
 {
     if (!cap_.valid())

@@ -18,6 +18,10 @@ namespace dew
 }
 }
 
+const char* const Foam::dew::surfaceMotion::solvers =
+    "Any would do";
+
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace

@@ -17,8 +17,7 @@ namespace dew
 }
 
 const char* const Foam::dew::surfaceShape::solvers =
-    "interEvapDemFoam takes quasiStatic and film, interDemFoam isoAdvector and"
-    " MULES";
+    "They are quasiStatic and film";
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //

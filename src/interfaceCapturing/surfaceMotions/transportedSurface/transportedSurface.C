@@ -23,8 +23,7 @@ namespace dew
 }
 
 const char* const Foam::dew::transportedSurface::solvers =
-    "interDemFoam takes isoAdvector and MULES, interEvapDemFoam quasiStatic and"
-    " film";
+    "interDemFoam takes isoAdvector and MULES, interEvapDemFoam any";
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -165,7 +164,14 @@ void Foam::dew::transportedSurface::correct
     volume_ =
         gSum(alpha_.primitiveField()*flow.alphac.primitiveField()*mesh_.V());
 
-    reconstruction_->correct(alpha_);
+    reconstruct(alpha_);
+    area_.setSize(mesh_.nCells());
+    area_ = 0;
+    forAll(planes().cell(), i)
+    {
+        area_[planes().cell()[i]] = planes().area()[i];
+    }
+
     angles_.correct(planes(), flow);
     if (distance || curvatureModel_->needsDistance())
     {

@@ -1,0 +1,192 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+/*
+InNamespace
+    Foam::dew
+
+Description
+    The equations of interEvapDemFoam for a surface that the flow carries: those
+    of interDemFoam for two fluids, with the density of the gas rhoG, and
+
+        d(alphac)/dt + div(alphac U) = e
+
+        d(alphac alpha)/dt + div(alphac alpha U) = - mDot/rhoL
+
+        e = mDot (1/rhoG - 1/rhoL) - (1 - alpha)/rhoG D(rhoG)/Dt
+
+    The flux that carries the surface has not e in it (carryingFlux.H). What
+    evaporates is found at the new place of the surface, and leaves the liquid
+    after the next transport; it is on its way in between (leaving).
+\*---------------------------------------------------------------------------*/
+
+#include "evaporations.H"
+
+#include "dynamicFvMesh.H"
+#include "fvCFD.H"
+#include "fvOptions.H"
+#include "gaussConvectionScheme.H"
+#include "pimpleControl.H"
+#include "reverseLinear.H"
+#include "turbulentTransportModel.H"
+#include "wallFvPatch.H"
+
+#include "boundaryForces.H"
+#include "caseDictionary.H"
+#include "couplingCheck.H"
+#include "evaluateCoupled.H"
+#include "evaporatingFluids.H"
+#include "evaporationLedger.H"
+#include "exponentialFitted.H"
+#include "gasModel.H"
+#include "gasPhase.H"
+#include "heatStorage.H"
+#include "interfaceTransfer.H"
+#include "linearGradient.H"
+#include "liquidModel.H"
+#include "meshSymmetry.H"
+#include "particleEngine.H"
+#include "particleExchange.H"
+#include "particleOutput.H"
+#include "particleReport.H"
+#include "phaseRegion.H"
+#include "saturation.H"
+#include "surfaceTension.H"
+#include "transportedSurface.H"
+#include "userEntry.H"
+#include "wholeSubSteps.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+void Foam::dew::evaporate
+(
+    argList& args,
+    Time& runTime,
+    dynamicFvMesh& mesh,
+    transportedSurface& surface
+)
+{
+    if (mesh.dynamic())
+    {
+        FatalErrorInFunction
+            << "constant/dynamicMeshDict: " << mesh.type() << " moves or changes"
+            << " the mesh, and what evaporates is held by cells of a mesh at"
+            << " rest" << nl
+            << "Remove the file, or use 'dynamicFvMesh staticFvMesh;'"
+            << exit(FatalError);
+    }
+
+    #include "createControl.H"
+    #include "createTimeControls.H"
+    #include "createTransported.H"
+
+    dew::particleOutput output(mesh, particles);
+    dew::particleReport report(runTime, particles, output, exchange);
+    dew::couplingCheck check(mesh, particles, exchange);
+
+    check.print();
+    #include "checkCapillary.H"
+    if (args.found("dry-run"))
+    {
+        Info<< "End of the dry run\n" << endl;
+        return;
+    }
+
+    output.writeStart();
+
+    while (runTime.run())
+    {
+        #include "readTimeControls.H"
+        #include "CourantNo.H"
+        #include "setTwoFluidDeltaT.H"
+
+        ++runTime;
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        const dew::bulkForces& forces = exchange.forces();
+
+        // The surface goes with the flow, and gives way
+        #include "evaporatingAlphaEqn.H"
+
+        // Particles to the new time, and what the fluids see of them
+        particles.evolve(forces);
+        exchange.correct();
+        alphacf = fvc::interpolate(alphac);
+
+        // Vapour and heat around the surface: what evaporates
+        if (gas.isTransient())
+        {
+            gasCarried.reset
+            (
+                new surfaceScalarField
+                (
+                    sameGas*fvc::interpolate(gas.rho())*phiL
+                )
+            );
+        }
+        const label nIter = (ledger.rate() == 0 ? 20 : 1)*nGasCorrectors;
+        label iter = 0;
+        for (; iter < nIter && interface.change() > gasTolerance; iter++)
+        {
+            #include "gasRows.H"
+            interface.linearise(T, Y.get(), energy);
+            gas.correct();
+            #include "gasFluxEqn.H"
+            #include "YEqn.H"
+            interface.assemble(Y.get());
+            #include "TEqn.H"
+        }
+        #include "checkGas.H"
+        #include "storeGas.H"
+
+        interface.distribute();
+        leaving.primitiveFieldRef() =
+            interface.mDot().field()*runTime.deltaTValue();
+        ledger.add
+        (
+            interface.rate()*runTime.deltaTValue()/rhoL,
+            runTime.deltaTValue(),
+            phiG
+        );
+        expansion.primitiveFieldRef() =
+            gas.expansion(phiG)().field() - interface.sourceOf(1/rhoL)();
+
+        // Both fluids, with the volume that phase change makes
+        alphacFluid.primitiveFieldRef() +=
+            runTime.deltaTValue()*expansion.primitiveField();
+        while (pimple.loop())
+        {
+            #include "UEqn.H"
+
+            exchange.checkFinite();
+            while (pimple.correct())
+            {
+                #include "pEqn.H"
+                exchange.checkFinite();
+            }
+
+            if (pimple.turbCorr())
+            {
+                turbulence->correct();
+                #include "carrierTurbulence.H"
+            }
+        }
+        alphacFluid.primitiveFieldRef() -=
+            runTime.deltaTValue()*expansion.primitiveField();
+
+        // What the particles will see of it
+        surface.correctSpeed(U);
+
+        #include "surfaceReport.H"
+        ledger.report(gMax(mag(U.primitiveField())));
+        exchange.report();
+        runTime.write();
+        report.print();
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,107 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "evaporatingFluids.H"
+#include "gasModel.H"
+#include "liquidModel.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+Foam::volScalarField property
+(
+    const Foam::word& name,
+    const Foam::fvMesh& mesh,
+    const Foam::dimensionSet& dims,
+    const Foam::IOobject::writeOption write = Foam::IOobject::NO_WRITE
+)
+{
+    using namespace Foam;
+    return volScalarField
+    (
+        IOobject
+        (
+            name, mesh.time().timeName(), mesh, IOobject::NO_READ, write
+        ),
+        mesh,
+        dimensionedScalar(dims, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    );
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::evaporatingFluids::evaporatingFluids
+(
+    const liquidModel& liquid,
+    const gasModel& gas,
+    const scalar rhoL,
+    const volScalarField& alpha,
+    const volScalarField& T,
+    const volScalarField& rhoGas,
+    const volScalarField* Y
+)
+:
+    liquid_(liquid),
+    gas_(gas),
+    alpha_(alpha),
+    T_(T),
+    rhoGas_(rhoGas),
+    Y_(Y),
+    rho1_("rho1", dimDensity, rhoL),
+    rho2_("rho2", dimDensity, 0),
+    rho_(property("rho", T.mesh(), dimDensity, IOobject::AUTO_WRITE)),
+    mu1_(property("mu1", T.mesh(), dimDynamicViscosity)),
+    mu2_(property("mu2", T.mesh(), dimDynamicViscosity)),
+    mu_(property("mu", T.mesh(), dimDynamicViscosity)),
+    nu_(property("nu", T.mesh(), dimViscosity))
+{
+    correct();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::evaporatingFluids::correct()
+{
+    const scalar p0 = gas_.p0();
+    const scalar Tboil = liquid_.Tboil(p0);
+    const scalarField& V = T_.mesh().V();
+
+    scalar mass = 0, volume = 0;
+    forAll(rho_, celli)
+    {
+        const scalar a = min(max(alpha_[celli], scalar(0)), scalar(1));
+        const scalar T = T_[celli];
+
+        rho_[celli] = a*rho1_.value() + (1 - a)*rhoGas_[celli];
+        mu1_[celli] = liquid_.mu(p0, min(T, Tboil));
+        mu2_[celli] = gas_.mu(Y_ && a < 0.5 ? (*Y_)[celli] : 0, T);
+        mu_[celli] = a*mu1_[celli] + (1 - a)*mu2_[celli];
+        nu_[celli] = mu_[celli]/rho_[celli];
+
+        mass += (1 - a)*rhoGas_[celli]*V[celli];
+        volume += (1 - a)*V[celli];
+    }
+    reduce(mass, sumOp<scalar>());
+    reduce(volume, sumOp<scalar>());
+    rho2_.value() = volume > 0 ? mass/volume : gAverage(rhoGas_);
+
+    rho_.correctBoundaryConditions();
+    mu1_.correctBoundaryConditions();
+    mu2_.correctBoundaryConditions();
+    mu_.correctBoundaryConditions();
+    nu_.correctBoundaryConditions();
+}
+
+
+// ************************************************************************* //

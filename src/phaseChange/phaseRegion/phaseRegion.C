@@ -1,0 +1,231 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "phaseRegion.H"
+#include "interfaceFaces.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::phaseRegion::phaseRegion
+(
+    const fvMesh& mesh,
+    const interfaceFaces& faces,
+    const side s
+)
+:
+    mesh_(mesh),
+    faces_(faces),
+    side_(s),
+    own_(mesh.nCells(), Zero),
+    V_(mesh.nCells(), Zero),
+    allWeights_(0)
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::dew::phaseRegion::inside(const label celli) const
+{
+    return faces_.gas()[celli] == (side_ == side::gas);
+}
+
+
+void Foam::dew::phaseRegion::toCells
+(
+    const UList<scalar>& values,
+    scalarField& cells
+) const
+{
+    if (side_ == side::liquid)
+    {
+        faces_.toLiquid(values, cells);
+        return;
+    }
+    forAll(values, k)
+    {
+        cells[faces_.faces()[k].gas] += values[k];
+    }
+}
+
+
+Foam::scalarField Foam::dew::phaseRegion::onFaces
+(
+    const scalarField& cells,
+    const bool other
+) const
+{
+    const auto& faces = faces_.faces();
+    scalarField values(faces.size());
+    if ((side_ == side::liquid) == other)
+    {
+        forAll(values, k)
+        {
+            values[k] = cells[faces[k].gas];
+        }
+        return values;
+    }
+
+    volScalarField field
+    (
+        IOobject("cells", mesh_.time().timeName(), mesh_, IOobject::NO_READ,
+            IOobject::NO_WRITE, false),
+        mesh_,
+        dimensionedScalar(dimless, Zero)
+    );
+    field.primitiveFieldRef() = cells;
+    field.correctBoundaryConditions();
+    values = faces_.ofLiquid(field);
+    forAll(values, k)
+    {
+        if (faces[k].wall)
+        {
+            values[k] = 0;
+        }
+    }
+    return values;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::phaseRegion::correct(const scalarField& own)
+{
+    const auto& faces = faces_.faces();
+    own_ = own;
+
+    w_.setSize(faces.size());
+    forAll(faces, k)
+    {
+        // A wall has no cell of liquid behind it
+        w_[k] =
+            faces[k].wall && side_ == side::liquid
+          ? 0
+          : faces[k].S*mag(faces[k].n & faces[k].e);
+    }
+    allWeights_ = gSum(w_);
+
+    weightOf_.setSize(mesh_.nCells());
+    weightOf_ = 0;
+    if (side_ == side::gas)
+    {
+        faces_.toLiquid(w_, weightOf_);
+    }
+    else
+    {
+        forAll(faces, k)
+        {
+            weightOf_[faces[k].gas] += w_[k];
+        }
+    }
+
+    V_.setSize(mesh_.nCells());
+    V_ = 0;
+    V_ = collect(own_/mesh_.V());
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::collect
+(
+    const scalarField& densities
+) const
+{
+    auto tall = tmp<scalarField>::New(mesh_.nCells(), Zero);
+    scalarField& all = tall.ref();
+
+    scalarField perWeight(mesh_.nCells(), Zero);
+    scalar unassigned = 0;
+    forAll(all, celli)
+    {
+        const scalar content = densities[celli]*mesh_.V()[celli];
+        if (inside(celli))
+        {
+            all[celli] = content;
+        }
+        else if (weightOf_[celli] > VSMALL)
+        {
+            perWeight[celli] = content/weightOf_[celli];
+        }
+        else
+        {
+            unassigned += content;
+        }
+    }
+    reduce(unassigned, sumOp<scalar>());
+
+    scalarField parts(onFaces(perWeight, true));
+    if (allWeights_ > VSMALL)
+    {
+        parts += unassigned/allWeights_;
+    }
+    else if (unassigned != 0)
+    {
+        const scalar V = gSum(V_);
+        if (V > 0)
+        {
+            all += unassigned*V_/V;
+        }
+    }
+    toCells(parts*w_, all);
+
+    return tall;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::giveBack
+(
+    const scalarField& contents
+) const
+{
+    auto tdensities = tmp<scalarField>::New(mesh_.nCells(), Zero);
+    scalarField& densities = tdensities.ref();
+
+    scalarField perVolume(mesh_.nCells(), Zero);
+    forAll(perVolume, celli)
+    {
+        if (V_[celli] > 0)
+        {
+            perVolume[celli] = contents[celli]/V_[celli];
+        }
+    }
+
+    // Means over the faces, for cells of the other side
+    const scalarField wOf(w_*onFaces(perVolume, false));
+    const scalar mean = allWeights_ > VSMALL ? gSum(wOf)/allWeights_ : 0;
+    scalarField sum(mesh_.nCells(), Zero);
+    if (side_ == side::gas)
+    {
+        faces_.toLiquid(wOf, sum);
+    }
+    else
+    {
+        forAll(wOf, k)
+        {
+            sum[faces_.faces()[k].gas] += wOf[k];
+        }
+    }
+
+    forAll(densities, celli)
+    {
+        densities[celli] =
+            own_[celli]/mesh_.V()[celli]
+           *(
+                inside(celli) ? perVolume[celli]
+              : weightOf_[celli] > VSMALL ? sum[celli]/weightOf_[celli]
+              : mean
+            );
+    }
+
+    return tdensities;
+}
+
+
+Foam::scalarField Foam::dew::phaseRegion::shares() const
+{
+    return allWeights_ > VSMALL ? scalarField(w_/allWeights_) : scalarField();
+}
+
+
+// ************************************************************************* //
