@@ -124,6 +124,7 @@ void Foam::dew::evaporate
             }
         }
 
+        surface.report(Info);
         ledger.report(gMax(scalarField(mag(U.primitiveField())*(1 - dry))));
         exchange.report();
 

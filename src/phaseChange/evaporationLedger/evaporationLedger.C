@@ -221,7 +221,6 @@ void Foam::dew::evaporationLedger::report(const scalar maxU)
     scalar T, least, most;
     interface_.surfaceTemperature(T, least, most);
 
-    surface_.report(Info);
     Info<< "evaporated " << factor*evaporated_ << " kg";
     if (Y_)
     {
