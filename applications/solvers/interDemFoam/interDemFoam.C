@@ -56,6 +56,7 @@ Usage
 #include "caseDictionary.H"
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"
+#include "fromFaces.H"
 #include "linearGradient.H"
 #include "meshSymmetry.H"
 #include "particleEngine.H"
@@ -136,6 +137,8 @@ int main(int argc, char *argv[])
                 #include "pEqn.H"
                 exchange.checkFinite();
             }
+            #include "carrierPressure.H"
+            #include "carrierVelocity.H"
 
             if (pimple.turbCorr())
             {
