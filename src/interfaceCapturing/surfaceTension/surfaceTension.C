@@ -7,6 +7,7 @@
 #include "surfaceTension.H"
 #include "fvcGrad.H"
 #include "fvcLaplacian.H"
+#include "fvcReconstruct.H"
 #include "fvMatrices.H"
 #include "fvmLaplacian.H"
 #include "mathematicalConstants.H"
@@ -24,23 +25,9 @@ Foam::dew::surfaceTension::surfaceTension
 )
 :
     surface_(surface),
-    sigma_
+    tension_
     (
-        IOobject
-        (
-            "sigma", surface.mesh().time().timeName(), surface.mesh()
-        ),
-        surface.mesh(),
-        dimensionedScalar
-        (
-            "sigma",
-            dimForce/dimLength,
-            userEntry::notNegative
-            (
-                userEntry::subDict(surfaceProperties, "surfaceTension"),
-                "sigma", dimForce/dimLength
-            )
-        )
+        surface, userEntry::subDict(surfaceProperties, "surfaceTension")
     ),
     force_
     (
@@ -73,7 +60,20 @@ Foam::dew::surfaceTension::surfaceTension
 
 Foam::tmp<Foam::surfaceScalarField> Foam::dew::surfaceTension::force() const
 {
-    return fvc::interpolate(sigma_)*surface_.Kf()*force_->snGrad();
+    return tension_.sigmaf()*surface_.Kf()*force_->snGrad();
+}
+
+
+Foam::tmp<Foam::volVectorField>
+Foam::dew::surfaceTension::alongSurface() const
+{
+    // As the cells see the gradient of I on their faces
+    return
+        tension_.gradient()
+       *(
+          - tension_.n()
+          & fvc::reconstruct(force_->snGrad()*surface_.mesh().magSf())
+        );
 }
 
 
@@ -87,7 +87,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::dew::surfaceTension::implicitPart
     (
         "stiffness",
         implicitShare_*U.time().deltaT()*share
-       *fvc::interpolate(sigma_*mag(fvc::grad(surface_.alpha())))
+       *fvc::interpolate(sigma()*mag(fvc::grad(surface_.alpha())))
     );
 
     return
@@ -125,7 +125,7 @@ Foam::scalar Foam::dew::surfaceTension::capillaryStep
             (
                 least,
                 (rho1 + rho2)*pow3(h)
-               /(4*constant::mathematical::pi*max(sigma_[celli], VSMALL))
+               /(4*constant::mathematical::pi*max(sigma()[celli], VSMALL))
             );
     }
 
