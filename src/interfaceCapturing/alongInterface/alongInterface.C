@@ -6,6 +6,7 @@
 
 #include "alongInterface.H"
 #include "fvMesh.H"
+#include "neighbourSum.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -33,6 +34,49 @@ void setFace
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::alongInterface::extend
+(
+    volScalarField& values,
+    const boolList& known,
+    volScalarField& layer
+)
+{
+    const fvMesh& mesh = values.mesh();
+    scalarField& value = values.primitiveFieldRef();
+    scalarField& of = layer.primitiveFieldRef();
+
+    forAll(value, celli)
+    {
+        of[celli] = known[celli] ? 0 : beyond;
+        value[celli] = known[celli] ? value[celli] : 0;
+    }
+
+    for (label step = 1; step <= nLayers; step++)
+    {
+        tmp<scalarField> tin(new scalarField(of.size()));
+        forAll(of, celli)
+        {
+            tin.ref()[celli] = of[celli] < step;
+        }
+        const scalarField in(tin());
+        const scalarField n(neighbourSum<scalar>(mesh, tin));
+        const scalarField sum(neighbourSum<scalar>(mesh, in*value));
+
+        forAll(of, celli)
+        {
+            if (of[celli] == beyond && n[celli] > 0)
+            {
+                value[celli] = sum[celli]/n[celli];
+                of[celli] = step;
+            }
+        }
+    }
+
+    values.correctBoundaryConditions();
+    layer.correctBoundaryConditions();
+}
+
 
 void Foam::dew::alongInterface::toFaces
 (

@@ -7,7 +7,6 @@
 #include "surfaceTension.H"
 #include "fvcGrad.H"
 #include "fvcLaplacian.H"
-#include "fvcReconstruct.H"
 #include "fvMatrices.H"
 #include "fvmLaplacian.H"
 #include "mathematicalConstants.H"
@@ -61,19 +60,6 @@ Foam::dew::surfaceTension::surfaceTension
 Foam::tmp<Foam::surfaceScalarField> Foam::dew::surfaceTension::force() const
 {
     return tension_.sigmaf()*surface_.Kf()*force_->snGrad();
-}
-
-
-Foam::tmp<Foam::volVectorField>
-Foam::dew::surfaceTension::alongSurface() const
-{
-    // As the cells see the gradient of I on their faces
-    return
-        tension_.gradient()
-       *(
-          - tension_.n()
-          & fvc::reconstruct(force_->snGrad()*surface_.mesh().magSf())
-        );
 }
 
 

@@ -8,6 +8,7 @@
 #include "alongInterface.H"
 #include "fvcGrad.H"
 #include "surfaceInterpolate.H"
+#include "syncTools.H"
 #include "transportedSurface.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -72,7 +73,11 @@ Foam::scalar Foam::dew::tensionOnSurface::first() const
 }
 
 
-void Foam::dew::tensionOnSurface::onPlanes(boolList& known)
+void Foam::dew::tensionOnSurface::onPlanes
+(
+    boolList& known,
+    vectorField& F
+)
 {
     const interfacePlanes& planes = surface_.planes();
     const volScalarField& X = law_->field();
@@ -88,9 +93,103 @@ void Foam::dew::tensionOnSurface::onPlanes(boolList& known)
 
         known[celli] = true;
         sigma_[celli] = sigma(value, planes.x()[i]);
-        n_()[celli] = n;
-        gradient_()[celli] = law_->slope(value)*(g - n*(n & g));
+        F[celli] = planes.area()[i]*law_->slope(value)*(g - n*(n & g));
     }
+}
+
+
+void Foam::dew::tensionOnSurface::spread(const vectorField& F)
+{
+    const interfacePlanes& planes = surface_.planes();
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const label nInternal = mesh_.nInternalFaces();
+
+    vectorField& pull = pull_->primitiveFieldRef();
+    vectorField across(mesh_.nFaces() - nInternal, Zero);
+    pull = F;
+
+    forAll(planes.cell(), i)
+    {
+        const label celli = planes.cell()[i];
+        const vector d(planes.x()[i] - mesh_.C()[celli]);
+
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const bool owned = mesh_.faceOwner()[facei] == celli;
+            const scalar out = (mesh_.faceAreas()[facei] & d)*(owned ? 1 : -1);
+            const vector part(max(out, scalar(0))/mesh_.V()[celli]*F[celli]);
+
+            if (facei < nInternal)
+            {
+                pull
+                [
+                    owned
+                  ? mesh_.faceNeighbour()[facei]
+                  : mesh_.faceOwner()[facei]
+                ] += part;
+            }
+            else if (patches[patches.whichPatch(facei)].coupled())
+            {
+                across[facei - nInternal] = part;
+            }
+            else
+            {
+                continue;
+            }
+            pull[celli] -= part;
+        }
+    }
+
+    syncTools::swapBoundaryFaceList(mesh_, across);
+    for (const polyPatch& patch : patches)
+    {
+        if (patch.coupled())
+        {
+            forAll(patch, i)
+            {
+                pull[patch.faceCells()[i]] +=
+                    across[patch.start() - nInternal + i];
+            }
+        }
+    }
+    pull /= mesh_.V();
+    pull_->correctBoundaryConditions();
+}
+
+
+void Foam::dew::tensionOnSurface::extend(const boolList& known)
+{
+    const interfacePlanes& planes = surface_.planes();
+    scalar area = 0, sum = 0;
+    forAll(planes.cell(), i)
+    {
+        area += planes.area()[i];
+        sum += planes.area()[i]*sigma_[planes.cell()[i]];
+    }
+    reduce(area, sumOp<scalar>());
+    reduce(sum, sumOp<scalar>());
+    // Without a surface, that of the last one
+    const scalar mean = area > 0 ? sum/area : gMax(sigma_.primitiveField());
+
+    volScalarField layer
+    (
+        IOobject("layer", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    alongInterface::extend(sigma_, known, layer);
+    forAll(sigma_, celli)
+    {
+        if (layer[celli] == alongInterface::beyond)
+        {
+            sigma_[celli] = mean;
+        }
+    }
+    sigma_.correctBoundaryConditions();
+
+    sigmaf_() = fvc::interpolate(sigma_);
+    alongInterface::toFaces(sigma_, layer, sigmaf_());
 }
 
 
@@ -133,20 +232,12 @@ Foam::dew::tensionOnSurface::tensionOnSurface
                 derived("surfaceTensionf"), fvc::interpolate(sigma_)
             )
         );
-        n_.reset
+        pull_.reset
         (
             new volVectorField
             (
-                derived("surfaceTensionNormal"), mesh_,
-                dimensionedVector(dimless, Zero)
-            )
-        );
-        gradient_.reset
-        (
-            new volVectorField
-            (
-                derived("surfaceTensionGradient"), mesh_,
-                dimensionedVector(dimTension/dimLength, Zero)
+                derived("surfaceTensionPull"), mesh_,
+                dimensionedVector(dimForce/dimVolume, Zero)
             )
         );
     }
@@ -163,45 +254,10 @@ void Foam::dew::tensionOnSurface::correct()
     }
 
     boolList known(mesh_.nCells(), false);
-    onPlanes(known);
-
-    const UList<scalar>& area = surface_.planes().area();
-    scalar all = 0, sum = 0;
-    forAll(area, i)
-    {
-        all += area[i];
-        sum += area[i]*sigma_[surface_.planes().cell()[i]];
-    }
-    reduce(all, sumOp<scalar>());
-    reduce(sum, sumOp<scalar>());
-    // Without a surface, that of the last one
-    const scalar mean = all > 0 ? sum/all : gMax(sigma_.primitiveField());
-
-    volScalarField layer
-    (
-        IOobject("layer", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar(dimless, Zero),
-        zeroGradientFvPatchScalarField::typeName
-    );
-    alongInterface::extend(n_(), known, layer);
-    alongInterface::extend(gradient_(), known, layer);
-    alongInterface::extend(sigma_, known, layer);
-
-    forAll(sigma_, celli)
-    {
-        if (layer[celli] == alongInterface::beyond)
-        {
-            sigma_[celli] = mean;
-        }
-        const scalar length = mag(n_()[celli]);
-        n_()[celli] /= length > 0 ? length : 1;
-    }
-    sigma_.correctBoundaryConditions();
-    n_->correctBoundaryConditions();
-
-    sigmaf_() = fvc::interpolate(sigma_);
-    alongInterface::toFaces(sigma_, layer, sigmaf_());
+    vectorField F(mesh_.nCells(), Zero);
+    onPlanes(known, F);
+    spread(F);
+    extend(known);
 }
 
 
