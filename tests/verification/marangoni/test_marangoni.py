@@ -73,8 +73,8 @@ def layers(path, n=16, mu=(1.0, 1.0), steps=None, **keywords):
     dt = 4e-3*16/n
     end = steps*dt if steps else 0.5
     case = Alone(path, **{
-        'level': LEVEL, 'upper': (WIDTH, 0.1, HEIGHT), 'cells': (2*n, 1, n), 'cyclic': 'xy', 'rho': (1.0, 1.0), 'mu': mu,
-        'gravity': (0, 0, 0), 'endTime': end, 'deltaT': dt, 'writeFormat': 'ascii', 'writePrecision': 16,
+        'level': LEVEL, 'upper': (WIDTH, 0.1, HEIGHT), 'cells': (2*n, 1, n), 'cyclic': 'xy', 'rho': (1.0, 1.0),
+        'mu': mu, 'gravity': (0, 0, 0), 'endTime': end, 'deltaT': dt, 'writeFormat': 'ascii', 'writePrecision': 16,
         'tolerance': 1e-9, 'writeControl': 'runTime', 'writeInterval': end, **keywords})
     case.fields['T'] = np.cos(K*centres(n)[0])
     case.patches['U'] = {side: {'type': 'noSlip'} for side in ('zMin', 'zMax')}
@@ -107,8 +107,8 @@ def error(path, n, mu):
 
 @pytest.mark.parametrize('mu, order, scale', [((1.0, 1.0), 2, 0.5), ((1.0, 0.25), 1, 0.4)], ids=['even', 'uneven'])
 def test_layers_driven_by_their_surface(tmp_path, mu, order, scale):
-    """Second order with one viscosity: (h/level)^2 times a number of order 1, 0.34 and 0.36 measured. Viscosities that differ
-    are mixed in the cells of the surface, which is of first order: 0.35 and 0.36 measured of h/level."""
+    """Second order with one viscosity: (h/level)^2 times a number of order 1, 0.34 and 0.36 measured. Viscosities that
+    differ are mixed in the cells of the surface, which is of first order: 0.35 and 0.36 measured of h/level."""
     errors = [error(tmp_path/str(n), n, mu) for n in (16, 32)]
     print(errors)
     for n, e in zip((16, 32), errors):
@@ -117,12 +117,12 @@ def test_layers_driven_by_their_surface(tmp_path, mu, order, scale):
 
 
 def test_surface_follows_a_field_that_is_solved(tmp_path):
-    """T diffuses, by OpenFOAM's scalarTransport: cos(k x) falls as exp(-D k^2 t), and with it sigma - s0. Euler's steps say
-    (1 + D k^2 dt)^-n, and the lines are of T before the last of them; differences of cells miss (k h)^2/12 of k^2."""
+    """T diffuses, by OpenFOAM's scalarTransport: cos(k x) falls as exp(-D k^2 t), and with it sigma - s0. Euler's steps
+    say (1 + D k^2 dt)^-n, and the lines are of T before the last of them; k of differences is 2/h sin(k h/2)."""
     D, steps = 1.0, 20
     case = layers(tmp_path, steps=steps)
-    case.control['functions'] = {'heat': {'type': 'scalarTransport', 'libs': '(solverFunctionObjects)', 'field': 'T', 'D': D,
-                                          'schemesField': 'T', 'resetOnStartUp': False}}
+    case.control['functions'] = {'heat': {'type': 'scalarTransport', 'libs': '(solverFunctionObjects)', 'field': 'T',
+                                          'D': D, 'schemesField': 'T', 'resetOnStartUp': False}}
     case.mesh()
     found = bounds(solve(case))
     assert len(found) == steps
@@ -151,8 +151,8 @@ def drop(path, cells, T, shapes=None, steps=1, **keywords):
 
 
 def test_sum_of_the_pull_around_a_sphere(tmp_path):
-    """d(sigma)/dT G times the integral of 1 - cos^2 over the sphere, 8 pi R^2/3, along the gradient of T, nothing across. The
-    planes are inside of the sphere and the steps between them are missing: some (h/R)^2/8 of the area."""
+    """d(sigma)/dT G times the integral of 1 - cos^2 over the sphere, 8 pi R^2/3, along the gradient of T, nothing across.
+    The planes are inside of the sphere and the steps between them are missing: some (h/R)^2/8 of the area."""
     n = 20
     z = (np.repeat(np.arange(n), n*n) + 0.5)/n*SIDE
     case = drop(tmp_path, (n, n, n), 300 + GRADIENT*(z - SIDE/2))
