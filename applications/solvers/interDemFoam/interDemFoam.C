@@ -20,7 +20,7 @@ Description
 
         d(alphac rho U)/dt + div(alphac rho U U)
           = beta (- grad p_rgh + sigma K grad I - (rho1 - rho2) g.x grad alpha)
-            + div(alphac tau) + F + Sp (U^n - U)
+            + div(alphac tau) + beta grad_s(sigma) delta + F + Sp (U^n - U)
 
     with the share alpha of the liquid in the fluids, and beta = alphac (model
     A) or 1 (model B). The pressure is p = p_rgh + rho g.x; x is that of the
