@@ -40,6 +40,7 @@ Description
 #include "evaporatingFluids.H"
 #include "evaporationLedger.H"
 #include "exponentialFitted.H"
+#include "fromFaces.H"
 #include "gasModel.H"
 #include "gasPhase.H"
 #include "heatStorage.H"
@@ -167,6 +168,9 @@ void Foam::dew::evaporate
                 #include "pEqn.H"
                 exchange.checkFinite();
             }
+
+            #include "carrierPressure.H"
+            #include "carrierVelocity.H"
 
             if (pimple.turbCorr())
             {
