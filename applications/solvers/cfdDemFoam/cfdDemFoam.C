@@ -52,6 +52,7 @@ Usage
 #include "wallFvPatch.H"
 
 #include "boundaryForces.H"
+#include "checkOptionFields.H"
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"
 #include "linearGradient.H"

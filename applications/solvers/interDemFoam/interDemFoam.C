@@ -54,6 +54,7 @@ Usage
 
 #include "boundaryForces.H"
 #include "caseDictionary.H"
+#include "checkOptionFields.H"
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"
 #include "linearGradient.H"
@@ -95,6 +96,7 @@ int main(int argc, char *argv[])
 
     check.print();
     #include "checkCapillary.H"
+    #include "checkViscous.H"
     if (args.found("dry-run"))
     {
         Info<< "End of the dry run\n" << endl;
@@ -108,6 +110,7 @@ int main(int argc, char *argv[])
         #include "readTimeControls.H"
         #include "CourantNo.H"
         #include "setTwoFluidDeltaT.H"
+        #include "checkViscous.H"
 
         ++runTime;
 
