@@ -153,6 +153,13 @@ void Foam::dew::transportedSurface::update(const scalarField& alpha)
     alpha_.primitiveFieldRef() = alpha;
     alpha_.correctBoundaryConditions();
     alpha_.oldTime() == alpha_;
+
+    alphaPhi_ =
+        surfaceScalarField::New
+        (
+            "alphaPhi", mesh_, dimensionedScalar(alphaPhi_.dimensions(), Zero)
+        );
+    alphaPhi_.setOriented();
 }
 
 
