@@ -39,6 +39,7 @@ Usage
     \endverbatim
 \*---------------------------------------------------------------------------*/
 
+#include "cyclicAMIFvPatch.H"
 #include "fvCFD.H"
 #include "dynamicFvMesh.H"
 #include "fixedFluxPressureFvPatchScalarField.H"

@@ -44,6 +44,7 @@ Usage
     \endverbatim
 \*---------------------------------------------------------------------------*/
 
+#include "cyclicAMIFvPatch.H"
 #include "fvCFD.H"
 #include "dynamicFvMesh.H"
 #include "fvOptions.H"
