@@ -31,7 +31,7 @@ def drop(path, centre=CENTRE, gravity=GRAVITY, spheres=SPHERES, s=1.0, **keyword
     solve(case)
     time = case.times()[-1]
     rows = case.table(float(time))
-    fields = {name: case.field(name, time) for name in ('alpha.water', 'U', 'p_rgh')}
+    fields = {name: case.field(name, time) for name in ('alpha.water', 'U', 'p')}
     shape = {name: f.reshape((N, N, N) + f.shape[1:]) for name, f in fields.items()}      # z, y, x
     return shape, np.stack([rows[k] for k in ('x', 'y', 'z')], axis=1)/s, np.stack([rows[k] for k in ('vx', 'vy', 'vz')], axis=1)
 
@@ -47,7 +47,7 @@ def compare(fields, other, tolerance):
     """Pressure up to a constant, for the reference cell is another one."""
     for name, a in fields.items():
         difference = a - other[name]
-        if name == 'p_rgh':
+        if name == 'p':
             difference = difference - difference.mean()
         assert np.abs(difference).max() < tolerance*np.ptp(a), name
 
