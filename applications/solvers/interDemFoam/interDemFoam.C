@@ -55,6 +55,7 @@ Usage
 
 #include "boundaryForces.H"
 #include "caseDictionary.H"
+#include "checkField.H"
 #include "checkOptionFields.H"
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"

@@ -79,6 +79,13 @@ Foam::dew::transportedSurface::transportedSurface
             << " to " << high << nl
             << "A share of the volume is from 0 to 1" << exit(FatalError);
     }
+    if (high <= 0)
+    {
+        WarningInFunction
+            << "There is no liquid: the field " << alpha_.objectPath()
+            << " is 0 everywhere" << nl
+            << "setLiquid puts some there, of system/setLiquidDict" << endl;
+    }
 }
 
 
