@@ -35,6 +35,8 @@ Description
 
 #include "boundaryForces.H"
 #include "caseDictionary.H"
+#include "checkField.H"
+#include "checkOptionFields.H"
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"
 #include "evaporatingFluids.H"
@@ -89,6 +91,7 @@ void Foam::dew::evaporate
 
     check.print();
     #include "checkCapillary.H"
+    #include "checkViscous.H"
     if (args.found("dry-run"))
     {
         Info<< "End of the dry run\n" << endl;
@@ -102,6 +105,7 @@ void Foam::dew::evaporate
         #include "readTimeControls.H"
         #include "CourantNo.H"
         #include "setTwoFluidDeltaT.H"
+        #include "checkViscous.H"
 
         ++runTime;
 
