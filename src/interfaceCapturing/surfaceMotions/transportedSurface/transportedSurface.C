@@ -142,7 +142,13 @@ Foam::tmp<Foam::surfaceScalarField> Foam::dew::transportedSurface::onSurface
     }
     value.correctBoundaryConditions();
     layer.correctBoundaryConditions();
-    alongInterface::toFaces(value, layer, tfaces.ref());
+    const volScalarField alike
+    (
+        IOobject("alike", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("alike", dimless, 1)
+    );
+    alongInterface::toFaces(value, layer, alike, tfaces.ref());
 
     return tfaces;
 }
