@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "heightStencil.H"
+#include "evenSurface.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -12,7 +13,6 @@ namespace
 {
 
 using namespace Foam;
-using derivatives = dew::heightStencil::derivatives;
 
 //- Means of 1, x, x^2 from x0 to x1, of a ring around x = -r if r > 0
 vector means(const scalar x0, const scalar x1, const scalar r)
@@ -28,148 +28,6 @@ vector means(const scalar x0, const scalar x1, const scalar r)
     const scalar m0 = r*i0 + i1;
     return vector(1, (r*i1 + i2)/m0, (r*i2 + i3)/m0);
 }
-
-
-//- Normal and shape operator: of a circle or a sphere they are nearly linear in
-//  the heights, so that few passes are needed
-struct bend
-{
-    scalar nua, nub, aa, ab, bb;
-
-    explicit bend(const derivatives& d)
-    {
-        const scalar N = Foam::sqrt(1 + sqr(d.a) + sqr(d.b));
-        nua = d.a/N;
-        nub = d.b/N;
-        transform(d.aa/N, d.ab/N, d.bb/N, -N/(1 + N));
-    }
-
-    //- (I + f nu nu) h (I + f nu nu)
-    void transform
-    (
-        const scalar haa, const scalar hab, const scalar hbb, const scalar f
-    )
-    {
-        const scalar Taa = 1 + f*sqr(nua);
-        const scalar Tab = f*nua*nub;
-        const scalar Tbb = 1 + f*sqr(nub);
-        aa = Taa*(haa*Taa + 2*hab*Tab) + hbb*sqr(Tab);
-        ab = Taa*(haa*Tab + hab*Tbb) + Tab*(hab*Tab + hbb*Tbb);
-        bb = haa*sqr(Tab) + Tbb*(2*hab*Tab + hbb*Tbb);
-    }
-
-    //- The difference; its size
-    scalar add(const bend& x, const bend& y)
-    {
-        nua += x.nua - y.nua;
-        nub += x.nub - y.nub;
-        aa += x.aa - y.aa;
-        ab += x.ab - y.ab;
-        bb += x.bb - y.bb;
-        return mag(x.aa - y.aa) + 2*mag(x.ab - y.ab) + mag(x.bb - y.bb);
-    }
-
-    void flatten(const scalar f)
-    {
-        nua *= f;
-        nub *= f;
-        aa *= f;
-        ab *= f;
-        bb *= f;
-    }
-
-    scalar size() const
-    {
-        return mag(aa) + 2*mag(ab) + mag(bb);
-    }
-
-    //- All but h
-    void set(derivatives& d) const
-    {
-        const scalar N = 1/Foam::sqrt(1 - sqr(nua) - sqr(nub));
-        bend h(*this);
-        h.transform(N*aa, N*ab, N*bb, sqr(N)/(1 + N));
-        d.a = nua*N;
-        d.b = nub*N;
-        d.aa = h.aa;
-        d.ab = h.ab;
-        d.bb = h.bb;
-    }
-};
-
-
-//- Surface of the same curvature throughout, through 0, over (a, b)
-struct evenSurface
-{
-    scalar ha, hb, N, nua, nub;
-
-    //- Second derivatives over N
-    scalar saa, sab, sbb;
-
-    //- A w^2 + B w + C = 0
-    scalar A;
-
-    explicit evenSurface(const derivatives& d)
-    :
-        ha(d.a),
-        hb(d.b),
-        N(Foam::sqrt(1 + sqr(ha) + sqr(hb))),
-        nua(-ha/N),
-        nub(-hb/N),
-        saa(d.aa/N),
-        sab(d.ab/N),
-        sbb(d.bb/N)
-    {
-        const scalar sum =
-           -(
-                (1 + sqr(hb))*saa - 2*ha*hb*sab + (1 + sqr(ha))*sbb
-            )/sqr(N);
-        const scalar product = (saa*sbb - sqr(sab))/sqr(N);
-        const scalar size = sqr(sum) + 4*max(-product, scalar(0));
-        const scalar kappa =
-            size > 0 ? sum*(sqr(sum) - 2*product)/size : 0;
-
-        A = kappa - (nua*saa*nua + 2*nua*sab*nub + nub*sbb*nub);
-    }
-
-    //- Along the normal; false over its edge
-    bool find(const scalar a, const scalar b, scalar& w) const
-    {
-        const scalar B =
-            2*(1 + a*(saa*nua + sab*nub) + b*(sab*nua + sbb*nub));
-        const scalar C = -(a*saa*a + 2*a*sab*b + b*sbb*b);
-        const scalar D = sqr(B) - 4*A*C;
-        if (D <= 0 || B <= 0)
-        {
-            return false;
-        }
-        w = -2*C/(B + Foam::sqrt(D));
-        return true;
-    }
-
-    scalar height(const scalar a, const scalar b, const scalar w) const
-    {
-        return N*w + ha*a + hb*b;
-    }
-
-    //- Slopes along a and b, and the mixed second derivative
-    void slopes
-    (
-        const scalar a, const scalar b, const scalar w, scalar s[3]
-    ) const
-    {
-        const scalar Ba = 2*(saa*nua + sab*nub);
-        const scalar Bb = 2*(sab*nua + sbb*nub);
-        const scalar Ca = -2*(saa*a + sab*b);
-        const scalar Cb = -2*(sab*a + sbb*b);
-        const scalar F = 2*A*w + 2 + a*Ba + b*Bb;
-        const scalar wa = -(Ba*w + Ca)/F;
-        const scalar wb = -(Bb*w + Cb)/F;
-        s[0] = N*wa + ha;
-        s[1] = N*wb + hb;
-        s[2] = -N*(Ba*wb + Bb*wa - 2*sab + 2*A*wa*wb)/F;
-    }
-};
 
 
 //- Points and weights of Gauss on (-1/2, 1/2)
@@ -387,8 +245,8 @@ bool Foam::dew::heightStencil::refine
 ) const
 {
     constexpr label nPasses = 12;
-    const bend first(d);
-    bend at(first);
+    const surfaceBend first(d);
+    surfaceBend at(first);
     derivatives found(d);
     values v;
 
@@ -406,7 +264,7 @@ bool Foam::dew::heightStencil::refine
             continue;
         }
         const derivatives fd(finite(v));
-        const bend of(fd);
+        const surfaceBend of(fd);
         found.h += d.h - fd.h;
 
         const scalar change = at.add(first, of);
