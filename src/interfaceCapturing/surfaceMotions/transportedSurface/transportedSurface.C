@@ -142,13 +142,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::dew::transportedSurface::onSurface
     }
     value.correctBoundaryConditions();
     layer.correctBoundaryConditions();
-    const volScalarField alike
-    (
-        IOobject("alike", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("alike", dimless, 1)
-    );
-    alongInterface::toFaces(value, layer, alike, tfaces.ref());
+    alongInterface::toFaces(value, layer, tfaces.ref());
 
     return tfaces;
 }
