@@ -18,7 +18,8 @@ void setFace
 (
     Foam::scalar& face,
     const Foam::scalar own, const Foam::scalar layerOwn,
-    const Foam::scalar nei, const Foam::scalar layerNei
+    const Foam::scalar nei, const Foam::scalar layerNei,
+    const Foam::scalar weightOwn, const Foam::scalar weightNei
 )
 {
     if (Foam::min(layerOwn, layerNei) < Foam::dew::alongInterface::beyond)
@@ -26,7 +27,7 @@ void setFace
         face =
             layerOwn < layerNei ? own
           : layerNei < layerOwn ? nei
-          : 0.5*(own + nei);
+          : (weightOwn*own + weightNei*nei)/(weightOwn + weightNei);
     }
 }
 
@@ -127,6 +128,7 @@ void Foam::dew::alongInterface::toFaces
 (
     const volScalarField& values,
     const volScalarField& layer,
+    const volScalarField& weight,
     surfaceScalarField& faceValues
 )
 {
@@ -140,7 +142,8 @@ void Foam::dew::alongInterface::toFaces
         (
             faceValues[facei],
             values[own[facei]], layer[own[facei]],
-            values[nei[facei]], layer[nei[facei]]
+            values[nei[facei]], layer[nei[facei]],
+            weight[own[facei]], weight[nei[facei]]
         );
     }
 
@@ -149,11 +152,13 @@ void Foam::dew::alongInterface::toFaces
         const fvPatchScalarField& valueb = values.boundaryField()[patchi];
         const fvPatchScalarField& layerb = layer.boundaryField()[patchi];
         scalarField& facesb = faceValues.boundaryFieldRef()[patchi];
+        const fvPatchScalarField& weightb = weight.boundaryField()[patchi];
         const bool coupled = valueb.coupled();
 
         // A patch without cells beyond it has those inside on both sides
         const scalarField valueIn(valueb.patchInternalField());
         const scalarField layerIn(layerb.patchInternalField());
+        const scalarField weightIn(weightb.patchInternalField());
         const scalarField valueOut
         (
             coupled ? valueb.patchNeighbourField() : tmp<scalarField>(valueIn)
@@ -162,12 +167,34 @@ void Foam::dew::alongInterface::toFaces
         (
             coupled ? layerb.patchNeighbourField() : tmp<scalarField>(layerIn)
         );
+        const scalarField weightOut
+        (
+            coupled ? weightb.patchNeighbourField() : tmp<scalarField>(weightIn)
+        );
         forAll(facesb, i)
         {
             setFace
             (
-                facesb[i], valueIn[i], layerIn[i], valueOut[i], layerOut[i]
+                facesb[i], valueIn[i], layerIn[i], valueOut[i], layerOut[i],
+                weightIn[i], weightOut[i]
             );
         }
     }
+}
+
+
+void Foam::dew::alongInterface::toFaces
+(
+    const volScalarField& values,
+    const volScalarField& layer,
+    surfaceScalarField& faceValues
+)
+{
+    const volScalarField alike
+    (
+        IOobject("alike", values.mesh().time().timeName(), values.mesh()),
+        values.mesh(),
+        dimensionedScalar("alike", dimless, 1)
+    );
+    toFaces(values, layer, alike, faceValues);
 }

@@ -133,6 +133,78 @@ Foam::labelList Foam::dew::curvatureModels::heightFunction::cells
 }
 
 
+Foam::dew::curvatureModels::heightFunction::found
+Foam::dew::curvatureModels::heightFunction::heights
+(
+    const cellColumns& columns,
+    const label celli,
+    scalar& K
+) const
+{
+    const vector n(normal(columns, celli));
+    vector size(cmptMag(n));
+    found best = found::none;
+
+    // The axis closest to the normal first
+    for (label tries = 0; tries < 3; tries++)
+    {
+        const label k =
+            size.x() >= size.y() && size.x() >= size.z() ? 0
+          : size.y() >= size.z() ? 1
+          : 2;
+        if (size[k] <= 0)
+        {
+            break;
+        }
+        size[k] = -1;
+        scalar here;
+        const found by = byHeights(columns, celli, n, 2*k + (n[k] > 0), here);
+        if (by > best)
+        {
+            best = by;
+            K = here;
+        }
+        if (best == found::exact)
+        {
+            break;
+        }
+    }
+    return best;
+}
+
+
+bool Foam::dew::curvatureModels::heightFunction::isNear
+(
+    const cellColumns& columns,
+    const label celli,
+    const scalarField& exact
+) const
+{
+    // Two cells around
+    bool any = false;
+    for (const label next : columns.around(celli))
+    {
+        if (next == cellColumns::boundary)
+        {
+            return false;
+        }
+        if (next >= 0)
+        {
+            any = any || exact[next] > 0;
+            for (const label other : columns.around(next))
+            {
+                if (other == cellColumns::boundary)
+                {
+                    return false;
+                }
+                any = any || (other >= 0 && exact[other] > 0);
+            }
+        }
+    }
+    return any;
+}
+
+
 void Foam::dew::curvatureModels::heightFunction::tellUnfit
 (
     const cellColumns& columns
@@ -173,40 +245,51 @@ void Foam::dew::curvatureModels::heightFunction::calculate
 
     nHeights_ = nFits_ = nLeft_ = 0;
     DynamicList<label> left;
+    DynamicList<bool> rough;
+    scalarField exact(alpha_.size(), Zero);
 
     for (const label celli : cells(columns))
     {
-        if (columns.fits(celli))
+        const found by =
+            columns.fits(celli) ? heights(columns, celli, K[celli])
+          : found::none;
+        if (by == found::exact)
         {
-            vector n(normal(columns, celli));
-            vector size(cmptMag(n));
-
-            // The axis closest to the normal first
-            for (label tries = 0; tries < 3 && !known[celli]; tries++)
-            {
-                const label k =
-                    size.x() >= size.y() && size.x() >= size.z() ? 0
-                  : size.y() >= size.z() ? 1
-                  : 2;
-                if (size[k] <= 0)
-                {
-                    break;
-                }
-                size[k] = -1;
-                known[celli] =
-                    byHeights(columns, celli, n, 2*k + (n[k] > 0), K[celli]);
-            }
-        }
-        if (known[celli])
-        {
+            known[celli] = true;
+            exact[celli] = 1;
             nHeights_++;
         }
         else
         {
             left.append(celli);
+            rough.append(by == found::rough);
         }
     }
     if (returnReduce(left.empty(), andOp<bool>()))
+    {
+        return;
+    }
+    columns.refresh(exact);
+
+    bool any = false;
+    forAll(left, i)
+    {
+        // Neighbours know better, but for the contact angle
+        const label celli = left[i];
+        if (columns.fits(celli) && isNear(columns, celli, exact))
+        {
+            nLeft_++;
+            left[i] = -1;
+        }
+        else if (rough[i])
+        {
+            known[celli] = true;
+            nHeights_++;
+            left[i] = -1;
+        }
+        any = any || left[i] >= 0;
+    }
+    if (!returnReduce(any, orOp<bool>()))
     {
         return;
     }
@@ -216,10 +299,13 @@ void Foam::dew::curvatureModels::heightFunction::calculate
     planesAround::plane surface;
     for (const label celli : left)
     {
-        known[celli] =
-            surface_.planes().of(celli) >= 0
-         && fit.find(around_, celli, K[celli], surface);
-        known[celli] ? nFits_++ : nLeft_++;
+        if (celli >= 0)
+        {
+            known[celli] =
+                surface_.planes().of(celli) >= 0
+             && fit.find(around_, celli, K[celli], surface);
+            known[celli] ? nFits_++ : nLeft_++;
+        }
     }
 }
 

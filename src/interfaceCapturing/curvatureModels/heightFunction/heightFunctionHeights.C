@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "heightFunction.H"
+#include "heightStencil.H"
 #include "transportedSurface.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -17,60 +18,59 @@ using namespace Foam;
 //- Shares that count as full and empty: h is 1e-6 of a width off at most
 constexpr scalar pure = 1e-6;
 
-//- A condition r.(a, b, c) = v on p(x) = a + b x + c x^2
-struct condition
+//- Out of a wall of contact angle theta, along it the surface has the slope p.y
+//  and the second derivative 2 p.z
+scalar alongWall(const label side, const scalar cot, const vector& p)
 {
-    vector r;
-    scalar v;
-};
-
-//- The quadratic by three conditions
-vector quadratic(const condition c[3])
-{
-    return
-        (
-            c[0].v*(c[1].r ^ c[2].r)
-          + c[1].v*(c[2].r ^ c[0].r)
-          + c[2].v*(c[0].r ^ c[1].r)
-        )/(c[0].r & (c[1].r ^ c[2].r));
+    return (side ? 1 : -1)*cot*p.y()*2*p.z()/Foam::sqrt(1 + sqr(p.y()));
 }
 
-//- Means of 1, x, x^2 from x0 to x1, of a ring around x = -r if r > 0
-vector means(const scalar x0, const scalar x1, const scalar r)
+//- Slopes at walls: they depend on the slope along the wall
+void setSlopes
+(
+    const dew::heightStencil& stencil,
+    const scalar cot[2][2],
+    dew::heightStencil::values& v
+)
 {
-    const scalar i0 = x1 - x0;
-    const scalar i1 = 0.5*(sqr(x1) - sqr(x0));
-    const scalar i2 = (pow3(x1) - pow3(x0))/3;
-    if (r <= 0)
+    bool walls = false;
+    for (label i = 0; i < stencil.nAxes; i++)
     {
-        return vector(1, i1/i0, i2/i0);
+        walls = walls || stencil.wall[i][0] || stencil.wall[i][1];
     }
-    const scalar i3 = 0.25*(pow4(x1) - pow4(x0));
-    const scalar m0 = r*i0 + i1;
-    return vector(1, (r*i1 + i2)/m0, (r*i2 + i3)/m0);
+
+    vector p[2] = {Zero, Zero};
+    for (label pass = 0; pass < 3 && walls; pass++)
+    {
+        for (label i = 0; i < stencil.nAxes; i++)
+        {
+            const scalar along =
+                pass && stencil.nAxes == 2 ? p[1 - i].y() : 0;
+            for (label side = 0; side < 2; side++)
+            {
+                if (!stencil.wall[i][side])
+                {
+                    continue;
+                }
+                scalar& slope = v.line[i][1 + side];
+                slope =
+                    (side ? 1 : -1)*cot[i][side]*Foam::sqrt(1 + sqr(along));
+                if (stencil.ring)
+                {
+                    // Of the square of the radius
+                    const scalar x = stencil.at[i][side];
+                    slope *=
+                        2*Foam::sqrt
+                        (
+                            mag(pass ? p[0] & vector(1, x, sqr(x))
+                          : v.line[0][0])
+                        );
+                }
+            }
+            p[i] = stencil.quadratic(i, v.line[i]);
+        }
+    }
 }
-
-//- Slope at x
-vector slope(const scalar x)
-{
-    return vector(0, 1, 2*x);
-}
-
-//- The columns of a cell and those beside it along one axis
-struct besideLine
-{
-    //- Of the cells beside; a boundary is below 0
-    label next[2];
-
-    //- Of p for the cell and the two sides
-    condition c[3];
-
-    //- Position of the sides: of the cell beside, or of the boundary
-    scalar x[2];
-
-    //- Cotangent of the contact angle at a boundary
-    scalar cot[2];
-};
 
 } // End anonymous namespace
 
@@ -173,7 +173,8 @@ Foam::scalar Foam::dew::curvatureModels::heightFunction::cotangent
 }
 
 
-bool Foam::dew::curvatureModels::heightFunction::byHeights
+Foam::dew::curvatureModels::heightFunction::found
+Foam::dew::curvatureModels::heightFunction::byHeights
 (
     const cellColumns& columns,
     const label celli,
@@ -201,7 +202,7 @@ bool Foam::dew::curvatureModels::heightFunction::byHeights
     column own;
     if (!find(columns, celli, toGas, own))
     {
-        return false;
+        return found::none;
     }
 
     // Half the rise of the surface over a column
@@ -223,52 +224,52 @@ bool Foam::dew::curvatureModels::heightFunction::byHeights
             );
     };
 
-    besideLine lines[2];
+    heightStencil stencil;
+    stencil.nAxes = nAxes;
+    stencil.ring = ring;
+    heightStencil::values v;
+    scalar cot[2][2];
+
     for (label i = 0; i < nAxes; i++)
     {
         const label a = axes[i];
-        besideLine& l = lines[i];
-        const scalar w = columns.width(celli)[a];
-        const scalar r = columns.wedge() && a == 0 ? radius : 0;
+        stencil.setCell
+        (
+            i, columns.width(celli)[a], columns.wedge() && a == 0 ? radius : 0
+        );
+        v.line[i][0] = own.h;
 
         FixedList<column, 3> beside({own, own, own});
         bool contactLine = meetsWall(own);
-
-        l.c[0] = {means(-0.5*w, 0.5*w, r), own.h};
         for (label side = 0; side < 2; side++)
         {
-            const scalar sgn = side ? 1 : -1;
             const label dir = 2*a + side;
             const label next = columns.next(celli, dir);
-            l.next[side] = next;
             if (next >= 0)
             {
                 column& c = beside[1 + side];
                 if (!columns.fits(next) || !find(columns, next, toGas, c))
                 {
-                    return false;
+                    return found::none;
                 }
-                const scalar wn = columns.width(next)[a];
-                const scalar x0 = side ? 0.5*w : -0.5*w - wn;
-                l.x[side] = sgn*0.5*(w + wn);
-                l.c[1 + side] = {means(x0, x0 + wn, r), c.h};
+                stencil.setBeside(i, side, columns.width(next)[a]);
+                v.line[i][1 + side] = c.h;
                 contactLine = contactLine || meetsWall(c);
             }
             else if (next == cellColumns::none)
             {
-                return false;
+                return found::none;
             }
             else
             {
-                l.x[side] = sgn*0.5*w;
-                l.cot[side] =
+                stencil.setWall(i, side);
+                cot[i][side] =
                     next == cellColumns::axis
                   ? 0
                   : cotangent(columns, celli, dir);
-                l.c[1 + side] = {slope(l.x[side]), 0};
-                if (mag(l.cot[side]) > columns.reach)
+                if (mag(cot[i][side]) > columns.reach)
                 {
-                    return false;
+                    return found::none;
                 }
             }
         }
@@ -277,124 +278,57 @@ bool Foam::dew::curvatureModels::heightFunction::byHeights
         {
             return
                 nAxes == 1 && !ring
-             && atContactLine(columns, celli, toGas, a, beside, K);
+             && atContactLine(columns, celli, toGas, a, beside, K)
+              ? found::exact : found::none;
         }
     }
 
-    // Derivatives. Slopes at walls depend on the slope along the wall
-    vector p[2] = {Zero, Zero};
-    const bool walls =
-        lines[0].next[0] < 0 || lines[0].next[1] < 0
-     || (nAxes == 2 && (lines[1].next[0] < 0 || lines[1].next[1] < 0));
-
-    for (label pass = 0; pass < (walls ? 3 : 1); pass++)
+    setSlopes(stencil, cot, v);
+    if (nAxes == 2)
     {
-        for (label i = 0; i < nAxes; i++)
+        const vector pa(stencil.quadratic(0, v.line[0]));
+        const vector pb(stencil.quadratic(1, v.line[1]));
+        for (label sideb = 0; sideb < 2; sideb++)
         {
-            besideLine& l = lines[i];
-            const scalar along = pass && nAxes == 2 ? p[1 - i].y() : 0;
-            for (label side = 0; side < 2; side++)
+            scalar* beyond = v.beyond[sideb];
+            if (stencil.wall[1][sideb])
             {
-                if (l.next[side] < 0)
-                {
-                    const scalar out =
-                        l.cot[side]*Foam::sqrt(1 + sqr(along));
-                    l.c[1 + side].v = (side ? 1 : -1)*out;
-                    if (ring)
-                    {
-                        // Of Q = R^2
-                        const scalar h =
-                            pass ? p[0] & vector(1, l.x[side], sqr(l.x[side]))
-                          : own.h;
-                        l.c[1 + side].v *= 2*Foam::sqrt(mag(h));
-                    }
-                }
-            }
-            p[i] = quadratic(l.c);
-        }
-    }
-
-    if (ring)
-    {
-        const scalar s = toGas & 1 ? 1 : -1;
-        const scalar Q = s*p[0].x();
-        if (Q <= 0)
-        {
-            return false;
-        }
-        const scalar R = Foam::sqrt(Q);
-        const scalar Rz = 0.5*s*p[0].y()/R;
-        const scalar Rzz = (s*p[0].z() - sqr(Rz))/R;
-        const scalar N = Foam::sqrt(1 + sqr(Rz));
-        K = s*(1/(R*N) - Rzz/pow3(N));
-        return true;
-    }
-
-    const scalar ha = p[0].y();
-    const scalar haa = 2*p[0].z();
-    if (nAxes == 1)
-    {
-        const scalar N = Foam::sqrt(1 + sqr(ha));
-        K = -haa/pow3(N);
-        if (columns.wedge())
-        {
-            K -= ha/(radius*N);
-        }
-        return true;
-    }
-
-    // Derivative along b of the slopes along a
-    const scalar hb = p[1].y();
-    const scalar hbb = 2*p[1].z();
-    condition mixed[3];
-    mixed[0] = {lines[1].c[0].r, ha};
-    for (label sideb = 0; sideb < 2; sideb++)
-    {
-        const label next = lines[1].next[sideb];
-        mixed[1 + sideb].r = lines[1].c[1 + sideb].r;
-        if (next < 0)
-        {
-            mixed[1 + sideb].v =
-                (sideb ? 1 : -1)*lines[1].cot[sideb]
-               *ha*haa/Foam::sqrt(1 + sqr(ha));
-            continue;
-        }
-
-        condition c[3];
-        column there;
-        if (!find(columns, next, toGas, there) || meetsWall(there))
-        {
-            return false;
-        }
-        c[0] = {lines[0].c[0].r, there.h};
-        for (label sidea = 0; sidea < 2; sidea++)
-        {
-            c[1 + sidea] = lines[0].c[1 + sidea];
-            if (lines[0].next[sidea] < 0)
-            {
-                c[1 + sidea].v +=
-                    lines[1].x[sideb]*(sidea ? 1 : -1)*lines[0].cot[sidea]
-                   *hb*hbb/Foam::sqrt(1 + sqr(hb));
+                beyond[0] = alongWall(sideb, cot[1][sideb], pa);
                 continue;
             }
-            const label corner = columns.next(next, 2*axes[0] + sidea);
-            if
-            (
-                corner < 0 || !columns.fits(corner)
-             || !find(columns, corner, toGas, there) || meetsWall(there)
-            )
+            const label next = columns.next(celli, 2*axes[1] + sideb);
+            beyond[0] = v.line[1][1 + sideb];
+            for (label sidea = 0; sidea < 2; sidea++)
             {
-                return false;
+                if (stencil.wall[0][sidea])
+                {
+                    beyond[1 + sidea] =
+                        v.line[0][1 + sidea]
+                      + stencil.at[1][sideb]
+                       *alongWall(sidea, cot[0][sidea], pb);
+                    continue;
+                }
+                const label corner = columns.next(next, 2*axes[0] + sidea);
+                column there;
+                if
+                (
+                    corner < 0 || !columns.fits(corner)
+                 || !find(columns, corner, toGas, there) || meetsWall(there)
+                )
+                {
+                    return found::none;
+                }
+                beyond[1 + sidea] = there.h;
             }
-            c[1 + sidea].v = there.h;
         }
-        mixed[1 + sideb].v = quadratic(c).y();
     }
-    const scalar hab = quadratic(mixed).y();
 
-    K =
-       -(
-            (1 + sqr(hb))*haa - 2*ha*hb*hab + (1 + sqr(ha))*hbb
-        )/pow3(Foam::sqrt(1 + sqr(ha) + sqr(hb)));
-    return true;
+    heightStencil::derivatives d(stencil.finite(v));
+    if (ring && (d.h > 0) != bool(toGas & 1))
+    {
+        return found::none;
+    }
+    const bool exact = stencil.refine(d);
+    K = stencil.curvature(d, columns.wedge() ? radius : 0);
+    return exact ? found::exact : found::rough;
 }
