@@ -1,0 +1,93 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "ChapmanEnskog.H"
+#include "addToRunTimeSelectionTable.H"
+#include "LennardJones.H"
+#include "speciesData.H"
+#include "Tuple2.H"
+#include "userEntry.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+namespace binaryDiffusivities
+{
+    defineTypeName(ChapmanEnskog);
+    addToRunTimeSelectionTable(binaryDiffusivity, ChapmanEnskog, dictionary);
+}
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Diameter and depth
+Tuple2<scalar, scalar> potential(const dictionary& potentials, const word& name)
+{
+    if (!potentials.found(name))
+    {
+        const dew::speciesData& species =
+            dew::speciesData::get(name, "Lennard-Jones potential");
+        return {species.diameter, species.depth};
+    }
+
+    const Tuple2<scalar, scalar> given
+    (
+        potentials.get<Tuple2<scalar, scalar>>(name)
+    );
+    if (!(given.first() > 0 && given.second() > 0))
+    {
+        FatalIOErrorInFunction(potentials)
+            << "Potential of " << name << ": " << given << nl
+            << "Give a diameter in 1e-10 m and a depth in K, both positive"
+            << exit(FatalIOError);
+    }
+    return given;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::binaryDiffusivities::ChapmanEnskog::ChapmanEnskog
+(
+    const dictionary& dict,
+    const pureGas::part& a,
+    const pureGas::part& b
+)
+{
+    userEntry::onlyThese(dict, {"type", "potentials", "pairs"});
+    const dictionary& potentials = userEntry::optionalDict(dict, "potentials");
+
+    const auto ofA = potential(potentials, a.name);
+    const auto ofB = potential(potentials, b.name);
+    const scalar M = 2e3/(1/a.W + 1/b.W);
+    factor_ =
+        0.0266/(std::sqrt(M)*sqr(0.5*(ofA.first() + ofB.first())));
+    depth_ = std::sqrt(ofA.second()*ofB.second());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::dew::binaryDiffusivities::ChapmanEnskog::D
+(
+    const scalar p,
+    const scalar T
+) const
+{
+    return factor_*T*std::sqrt(T)/(p*LennardJones::diffusion(T/depth_));
+}

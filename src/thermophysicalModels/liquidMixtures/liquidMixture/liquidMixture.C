@@ -1,0 +1,223 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "liquidMixture.H"
+#include "IOdictionary.H"
+#include "speciesPairs.H"
+#include "Time.H"
+#include "userEntry.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- A family's dictionary, or its standard variant
+dictionary withType
+(
+    const dictionary& dict,
+    const word& key,
+    const word& standard
+)
+{
+    dictionary of(dew::userEntry::optionalDict(dict, key));
+    of.name() = dict.name() + '.' + key;
+    of.add("type", standard);
+    return of;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::liquidMixture::readLiquids(const dictionary& dict)
+{
+    const dictionary& all = userEntry::subDict(dict, "liquids");
+    if (all.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "No liquids in " << all.dictName() << nl
+            << "Give, e.g., liquids { water { type library; } }"
+            << exit(FatalIOError);
+    }
+    names_ = all.toc();
+    liquids_.setSize(names_.size());
+    forAll(names_, i)
+    {
+        dictionary of(userEntry::subDict(all, names_[i]));
+        if (of.getOrDefault<word>("type", "") == "library")
+        {
+            of.add("liquid", names_[i]);
+        }
+        else
+        {
+            of.add("name", names_[i]);
+        }
+        liquids_.set(i, liquidModel::New(of).ptr());
+    }
+}
+
+
+void Foam::dew::liquidMixture::readPairs
+(
+    const dictionary& viscosity,
+    const dictionary& volume
+)
+{
+    speciesPairs::onlyThese(viscosity, names_, {});
+    speciesPairs::onlyThese(volume, names_, {});
+
+    const label n = size();
+    G_.setSize(n*n, 0);
+    a_.setSize(n*n);
+    for (label i = 0; i < n; i++)
+    {
+        for (label j = i + 1; j < n; j++)
+        {
+            bool swapped = false;
+            word key
+            (
+                speciesPairs::key(viscosity, names_[i], names_[j], swapped)
+            );
+            if (viscosity.found(key))
+            {
+                G_[i*n + j] = userEntry::number(viscosity, key, dimless);
+            }
+
+            key = speciesPairs::key(volume, names_[i], names_[j], swapped);
+            if (volume.found(key))
+            {
+                excess_ = true;
+                scalarList& a = a_[i*n + j];
+                volume.readEntry(key, a);
+                for (label k = 1; k < a.size() && swapped; k += 2)
+                {
+                    a[k] *= -1;
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::liquidMixture::liquidMixture(const dictionary& dict)
+:
+    excess_(false),
+    equilibrium_(dict.subOrEmptyDict("equilibrium"))
+{
+    if (dict.found("type"))
+    {
+        // One liquid
+        dictionary only(dict);
+        only.remove("equilibrium");
+        liquids_.setSize(1);
+        liquids_.set(0, liquidModel::New(only).ptr());
+        names_ = wordList(1, liquids_[0].name());
+    }
+    else
+    {
+        userEntry::onlyThese
+        (
+            dict,
+            {
+                "FoamFile", "liquids", "surfaceTension", "diffusivity",
+                "viscosity", "excessVolume", "equilibrium"
+            }
+        );
+        readLiquids(dict);
+    }
+
+    W_.setSize(names_.size());
+    forAll(W_, i)
+    {
+        W_[i] = liquids_[i].W();
+    }
+    work_.setSize(2*size());
+
+    const dictionary none;
+    const dictionary& more = dict.found("type") ? none : dict;
+    readPairs
+    (
+        userEntry::optionalDict(more, "viscosity"),
+        userEntry::optionalDict(more, "excessVolume")
+    );
+    surfaceTension_ = mixtureSurfaceTension::New
+    (
+        withType(more, "surfaceTension", "ideal"), names_, liquids_
+    );
+    diffusivity_ = liquidDiffusivity::New
+    (
+        withType(more, "diffusivity", "WilkeChang"), liquids_
+    );
+}
+
+
+Foam::autoPtr<Foam::dew::liquidMixture> Foam::dew::liquidMixture::New
+(
+    const objectRegistry& registry
+)
+{
+    return autoPtr<liquidMixture>
+    (
+        new liquidMixture
+        (
+            IOdictionary
+            (
+                IOobject
+                (
+                    "liquidProperties",
+                    registry.time().constant(),
+                    registry,
+                    IOobject::MUST_READ,
+                    IOobject::NO_WRITE,
+                    false
+                )
+            )
+        )
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::dew::liquidMixture::index(const word& name) const
+{
+    const label i = names_.find(name);
+    if (i < 0)
+    {
+        FatalErrorInFunction
+            << "No liquid " << name << nl << "The liquids are " << names_
+            << exit(FatalError);
+    }
+    return i;
+}
+
+
+Foam::scalar Foam::dew::liquidMixture::Tmin() const
+{
+    scalar T = 0;
+    for (const liquidModel& l : liquids_)
+    {
+        T = max(T, l.Tmin());
+    }
+    return T;
+}
+
+
+Foam::scalar Foam::dew::liquidMixture::Tmax() const
+{
+    scalar T = GREAT;
+    for (const liquidModel& l : liquids_)
+    {
+        T = min(T, l.Tmax());
+    }
+    return T;
+}
