@@ -6,10 +6,11 @@
 
 #include "ChapmanEnskog.H"
 #include "addToRunTimeSelectionTable.H"
-#include "LennardJones.H"
 #include "speciesData.H"
 #include "Tuple2.H"
 #include "userEntry.H"
+
+#include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -32,6 +33,15 @@ namespace
 {
 
 using namespace Foam;
+
+//- Collision integral; t is the temperature over the depth
+scalar collisions(const scalar t)
+{
+    return
+        1.06036*std::pow(t, -0.15610) + 0.19300*std::exp(-0.47635*t)
+      + 1.03587*std::exp(-1.52996*t) + 1.76474*std::exp(-3.89411*t);
+}
+
 
 //- Diameter and depth
 Tuple2<scalar, scalar> potential(const dictionary& potentials, const word& name)
@@ -89,5 +99,5 @@ Foam::scalar Foam::dew::binaryDiffusivities::ChapmanEnskog::D
     const scalar T
 ) const
 {
-    return factor_*T*std::sqrt(T)/(p*LennardJones::diffusion(T/depth_));
+    return factor_*T*std::sqrt(T)/(p*collisions(T/depth_));
 }

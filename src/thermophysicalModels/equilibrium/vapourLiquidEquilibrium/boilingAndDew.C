@@ -88,14 +88,17 @@ Foam::scalar Foam::dew::vapourLiquidEquilibrium::temperature
         const scalar boiling = liquids_.liquid(i).Tboil(p);
         T += (boiling < Tc_ ? boiling : min(0.99*Tc_, 1e3))/n_;
     }
+    T = min(T, 0.99*Tc_);
 
     // The function is nearly linear in 1/T: secant, kept in the bracket
     scalar low = 0.1*T, high = min(Tc_, 10*T);
+    bool boils = false;
     scalar before = 0.99*T, fBefore = f(before);
     for (label iter = 0; iter < 200; iter++)
     {
         const scalar fT = f(T);
         (fT > 0 ? high : low) = T;
+        boils = boils || fT > 0;
         if (mag(fT) < 1e-12)
         {
             return T;
@@ -108,7 +111,7 @@ Foam::scalar Foam::dew::vapourLiquidEquilibrium::temperature
         }
         if (mag(next - T) < 1e-12*T)
         {
-            if (high < (1 - 1e-9)*min(Tc_, GREAT) || mag(fT) < 1e-6)
+            if (boils)
             {
                 return next;
             }

@@ -23,7 +23,10 @@ dictionary activity(const dictionary& dict)
 {
     dictionary of(dew::userEntry::optionalDict(dict, "activity"));
     of.name() = dict.name() + ".activity";
-    of.add("type", word("ideal"));
+    if (!of.found("type"))
+    {
+        of.add("type", word("ideal"));
+    }
     return of;
 }
 

@@ -27,7 +27,10 @@ dictionary withType
 {
     dictionary of(dew::userEntry::optionalDict(dict, key));
     of.name() = dict.name() + '.' + key;
-    of.add("type", standard);
+    if (!of.found("type"))
+    {
+        of.add("type", standard);
+    }
     return of;
 }
 
@@ -51,13 +54,13 @@ void Foam::dew::liquidMixture::readLiquids(const dictionary& dict)
     forAll(names_, i)
     {
         dictionary of(userEntry::subDict(all, names_[i]));
-        if (of.getOrDefault<word>("type", "") == "library")
+        const word key
+        (
+            of.getOrDefault<word>("type", "") == "library" ? "liquid" : "name"
+        );
+        if (!of.found(key))
         {
-            of.add("liquid", names_[i]);
-        }
-        else
-        {
-            of.add("name", names_[i]);
+            of.add(key, names_[i]);
         }
         liquids_.set(i, liquidModel::New(of).ptr());
     }

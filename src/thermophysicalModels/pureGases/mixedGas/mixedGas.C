@@ -7,7 +7,7 @@
 #include "mixedGas.H"
 #include "addToRunTimeSelectionTable.H"
 #include "air.H"
-#include "kineticGas.H"
+#include "libraryGas.H"
 #include "steam.H"
 #include "userEntry.H"
 
@@ -26,7 +26,7 @@ namespace pureGases
 }
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
 Foam::autoPtr<Foam::dew::pureGas>
 Foam::dew::pureGases::mixedGas::species(const word& name)
@@ -36,11 +36,11 @@ Foam::dew::pureGases::mixedGas::species(const word& name)
     {
         return autoPtr<pureGas>(new air);
     }
-    if (known == "H2O")
+    if (known == "H2O" || known == "steam")
     {
         return autoPtr<pureGas>(new steam);
     }
-    return autoPtr<pureGas>(new kineticGas(known));
+    return autoPtr<pureGas>(new libraryGas(known));
 }
 
 

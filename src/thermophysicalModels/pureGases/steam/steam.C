@@ -30,7 +30,7 @@ namespace pureGases
 
 Foam::dew::pureGases::steam::steam()
 :
-    heatCapacity_(NASAPolynomial::get("H2O"))
+    fits_(gasFits::get("H2O"))
 {}
 
 
@@ -46,7 +46,7 @@ Foam::dew::pureGases::steam::steam(const dictionary& dict, const liquidModel&)
 
 Foam::scalar Foam::dew::pureGases::steam::Cp(const scalar T) const
 {
-    return heatCapacity_(T)*gasConstant/W();
+    return fits_.Cp(T)*gasConstant/W();
 }
 
 
