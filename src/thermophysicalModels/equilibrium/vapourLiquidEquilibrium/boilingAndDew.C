@@ -111,7 +111,7 @@ Foam::scalar Foam::dew::vapourLiquidEquilibrium::temperature
         }
         if (mag(next - T) < 1e-12*T)
         {
-            if (boils)
+            if (boils || mag(fT) < 1e-8)
             {
                 return next;
             }

@@ -9,6 +9,7 @@
 #include "liquidProperties.H"
 #include "speciesData.H"
 #include "userEntry.H"
+#include "waterDensity.H"
 
 #include <cmath>
 #include <cstdlib>
@@ -208,6 +209,11 @@ void Foam::dew::liquidModels::libraryLiquid::refuse(const scalar T) const
 Foam::dew::liquidModels::libraryLiquid::libraryLiquid(const dictionary& dict)
 :
     name_(speciesData::nameOf(dict.get<word>("liquid"))),
+    water_
+    (
+        name_ == "H2O"
+     && !userEntry::optionalDict(dict, "overrides").found("rho")
+    ),
     fits_(select(dict)),
     W_(1e-3*fits_->W()),
     Tc_(fits_->Tc()),
@@ -264,6 +270,10 @@ Foam::scalar Foam::dew::liquidModels::libraryLiquid::rho
     const scalar T
 ) const
 {
+    if (water_)
+    {
+        return waterDensity(checked(T));
+    }
     return rho_ < 0 ? fits_->rho(p, checked(T)) : rho_;
 }
 
