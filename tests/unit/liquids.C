@@ -202,7 +202,7 @@ TEST(liquidMixture, viscosityAndConductivity)
         "liquids { a { " + constant + "W 20; mu 1e-3; kappa 0.6; }"
         " b { " + constant + "W 40; mu 4e-3; kappa 0.2; }"
         " c { " + constant + "W 80; mu 1e-3; kappa 0.2; } }"
-        "viscosity { b-a 2; }"
+        "viscosity { b-a (2); }"
     );
     const autoPtr<liquidMixture> m(mixture(three));
     scalarField x(3, 0);
@@ -220,6 +220,25 @@ TEST(liquidMixture, viscosityAndConductivity)
     // Y 0.2, 0.8
     EXPECT_NEAR(m->kappa(p, T0, x), 0.28 - 0.72*0.16*0.4, 1e-12);
     EXPECT_NEAR(m->Cp(p, T0, x), 2000, 1e-9);
+}
+
+
+// The example of the header is fitted within 1.5 %, and the library's pure
+// liquids are within 5 %
+TEST(liquidMixture, measuredViscosity)
+{
+    const autoPtr<liquidMixture> m
+    (
+        mixture
+        (
+            ethanolWater
+          + "viscosity { ethanol-water (2.935 -2.572 3.331 -3.564); }"
+        )
+    );
+    for (const auto& row : readTable("ethanolWaterViscosity.csv"))
+    {
+        EXPECT_NEAR(m->mu(p, 293.15, x(m(), row[0]))/row[1], 1, 0.06) << row[0];
+    }
 }
 
 
@@ -362,7 +381,7 @@ TEST(liquidMixture, refused)
 {
     EXPECT_ANY_THROW(mixture("liquids { }"));
     EXPECT_ANY_THROW(mixture("liquids { mercury { type library; } }"));
-    EXPECT_ANY_THROW(mixture(ethanolWater + "viscosity { ethanol-iron 1; }"));
+    EXPECT_ANY_THROW(mixture(ethanolWater + "viscosity { ethanol-iron (1); }"));
     EXPECT_TRUE
     (
         contains
@@ -374,7 +393,7 @@ TEST(liquidMixture, refused)
                     mixture
                     (
                         ethanolWater
-                      + "viscosity { ethanol-water 1; water-ethanol 1; }"
+                      + "viscosity { ethanol-water (1); water-ethanol (1); }"
                     );
                 }
             ),

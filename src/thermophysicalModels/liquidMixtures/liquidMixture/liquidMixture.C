@@ -69,39 +69,30 @@ void Foam::dew::liquidMixture::readLiquids(const dictionary& dict)
 
 void Foam::dew::liquidMixture::readPairs
 (
-    const dictionary& viscosity,
-    const dictionary& volume
-)
+    const dictionary& dict,
+    List<scalarList>& coefficients
+) const
 {
-    speciesPairs::onlyThese(viscosity, names_, {});
-    speciesPairs::onlyThese(volume, names_, {});
+    speciesPairs::onlyThese(dict, names_, {});
 
     const label n = size();
-    G_.setSize(n*n, 0);
-    a_.setSize(n*n);
+    coefficients.setSize(n*n);
     for (label i = 0; i < n; i++)
     {
         for (label j = i + 1; j < n; j++)
         {
             bool swapped = false;
-            word key
+            const word key
             (
-                speciesPairs::key(viscosity, names_[i], names_[j], swapped)
+                speciesPairs::key(dict, names_[i], names_[j], swapped)
             );
-            if (viscosity.found(key))
+            if (dict.found(key))
             {
-                G_[i*n + j] = userEntry::number(viscosity, key, dimless);
-            }
-
-            key = speciesPairs::key(volume, names_[i], names_[j], swapped);
-            if (volume.found(key))
-            {
-                excess_ = true;
-                scalarList& a = a_[i*n + j];
-                volume.readEntry(key, a);
-                for (label k = 1; k < a.size() && swapped; k += 2)
+                scalarList& c = coefficients[i*n + j];
+                dict.readEntry(key, c);
+                for (label k = 1; k < c.size() && swapped; k += 2)
                 {
-                    a[k] *= -1;
+                    c[k] *= -1;
                 }
             }
         }
@@ -113,7 +104,6 @@ void Foam::dew::liquidMixture::readPairs
 
 Foam::dew::liquidMixture::liquidMixture(const dictionary& dict)
 :
-    excess_(false),
     equilibrium_(dict.subOrEmptyDict("equilibrium"))
 {
     if (dict.found("type"))
@@ -147,11 +137,8 @@ Foam::dew::liquidMixture::liquidMixture(const dictionary& dict)
 
     const dictionary none;
     const dictionary& more = dict.found("type") ? none : dict;
-    readPairs
-    (
-        userEntry::optionalDict(more, "viscosity"),
-        userEntry::optionalDict(more, "excessVolume")
-    );
+    readPairs(userEntry::optionalDict(more, "viscosity"), G_);
+    readPairs(userEntry::optionalDict(more, "excessVolume"), a_);
     surfaceTension_ = mixtureSurfaceTension::New
     (
         withType(more, "surfaceTension", "ideal"), names_, liquids_

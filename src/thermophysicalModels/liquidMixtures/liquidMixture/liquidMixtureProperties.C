@@ -8,6 +8,32 @@
 
 #include <cmath>
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::dew::liquidMixture::excess
+(
+    const List<scalarList>& coefficients,
+    const UList<scalar>& x
+) const
+{
+    const label n = size();
+    scalar sum = 0;
+    for (label i = 0; i < n; i++)
+    {
+        for (label j = i + 1; j < n; j++)
+        {
+            scalar power = x[i]*x[j];
+            for (const scalar c : coefficients[i*n + j])
+            {
+                sum += c*power;
+                power *= x[i] - x[j];
+            }
+        }
+    }
+    return sum;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::dew::liquidMixture::V
@@ -17,28 +43,10 @@ Foam::scalar Foam::dew::liquidMixture::V
     const UList<scalar>& x
 ) const
 {
-    const label n = size();
-    scalar sum = 0;
-    for (label i = 0; i < n; i++)
+    scalar sum = excess(a_, x);
+    forAll(W_, i)
     {
         sum += x[i]*W_[i]/liquids_[i].rho(p, T);
-    }
-    if (!excess_)
-    {
-        return sum;
-    }
-
-    for (label i = 0; i < n; i++)
-    {
-        for (label j = i + 1; j < n; j++)
-        {
-            scalar power = x[i]*x[j];
-            for (const scalar a : a_[i*n + j])
-            {
-                sum += a*power;
-                power *= x[i] - x[j];
-            }
-        }
     }
     return sum;
 }
@@ -63,15 +71,10 @@ Foam::scalar Foam::dew::liquidMixture::mu
     const UList<scalar>& x
 ) const
 {
-    const label n = size();
-    scalar sum = 0;
-    for (label i = 0; i < n; i++)
+    scalar sum = excess(G_, x);
+    forAll(W_, i)
     {
         sum += x[i]*std::log(liquids_[i].mu(p, T));
-        for (label j = i + 1; j < n; j++)
-        {
-            sum += x[i]*x[j]*G_[i*n + j];
-        }
     }
     return std::exp(sum);
 }
