@@ -339,6 +339,24 @@ TEST(gasMixture, diffusivityInTheMixture)
     EXPECT_NEAR(s.gas->DY(1, p, T, Y)*ofWater/0.8, 1, 1e-9);
     EXPECT_NEAR(s.gas->Dc(1, 1e5, 300), 2e-5, 1e-18);
 
+    // All at once, and by a law that is no power of temperature
+    scalarField all(2);
+    s.gas->DY(p, T, Y, all);
+    EXPECT_NEAR(all[0]/s.gas->DY(0, p, T, Y), 1, 1e-14);
+    EXPECT_NEAR(all[1]/s.gas->DY(1, p, T, Y), 1, 1e-14);
+    const mixed c
+    (
+        both, "idealGas; p0 1e5; carrier { type gas; species N2; }"
+        "diffusivity { type ChapmanEnskog; }"
+    );
+    c.gas->massFractions(x, Y);
+    const scalar ofEthanol =
+        0.2/D("ChapmanEnskog", "C2H5OH", 46.069, "H2O", 18.015, T)
+      + 0.5/D("ChapmanEnskog", "C2H5OH", 46.069, "N2", 28.0134, T);
+    c.gas->DY(p, T, Y, all);
+    EXPECT_NEAR(all[0]*ofEthanol/0.7, 1, 1e-9);
+    s.gas->massFractions(x, Y);
+
     // A trace of ethanol in the carrier, and pure ethanol
     EXPECT_NEAR
     (

@@ -43,7 +43,10 @@ properties ofMixture(const liquidMixture& m)
 {
     using F = const scalarField&;
     properties all;
-    all.append({"rho", [&](scalar p, scalar T, F x) { return m.rho(p, T, x); }});
+    all.append
+    (
+        {"rho", [&](scalar p, scalar T, F x) { return m.rho(p, T, x); }}
+    );
     all.append({"mu", [&](scalar p, scalar T, F x) { return m.mu(p, T, x); }});
     all.append({"Cp", [&](scalar p, scalar T, F x) { return m.Cp(p, T, x); }});
     all.append

@@ -15,5 +15,6 @@ Foam::autoPtr<Foam::dew::activityModel> Foam::dew::activityModel::New
     const liquidMixture& liquids
 )
 {
-    return selectVariant<activityModel>(dict, "type", "activity")(dict, liquids);
+    return
+        selectVariant<activityModel>(dict, "type", "activity")(dict, liquids);
 }

@@ -44,3 +44,19 @@ Foam::scalar Foam::dew::carrierDiffusivity::D
     }
     return 1/resistance;
 }
+
+
+Foam::scalar Foam::dew::carrierDiffusivity::factor() const
+{
+    scalar resistance = 0;
+    forAll(diffusivities_, k)
+    {
+        const scalar one = diffusivities_[k].factor();
+        if (one < 0)
+        {
+            return -1;
+        }
+        resistance += x_[k]/one;
+    }
+    return 1/resistance;
+}

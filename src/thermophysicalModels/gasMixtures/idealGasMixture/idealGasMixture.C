@@ -10,6 +10,8 @@
 #include "speciesPairs.H"
 #include "userEntry.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -105,12 +107,20 @@ void Foam::dew::gasMixtures::idealGasMixture::readDiffusivities
             D_.set(i*n + j, binaryDiffusivity::New(of, vapour, other).ptr());
         }
     }
+
+    factors_.setSize(D_.size(), -1);
+    forAll(D_, ij)
+    {
+        if (D_.set(ij))
+        {
+            factors_[ij] = D_[ij].factor();
+        }
+    }
 }
 
 
-void Foam::dew::gasMixtures::idealGasMixture::prepare
+void Foam::dew::gasMixtures::idealGasMixture::mixture
 (
-    const scalar T,
     const UList<scalar>& Y
 ) const
 {
@@ -122,35 +132,47 @@ void Foam::dew::gasMixtures::idealGasMixture::prepare
     {
         x_[i] = Y[i]*mean/W(i);
         x_[n] -= x_[i];
-        mu_[i] = vapours_[i].mu(T);
     }
-    mu_[n] = carrier_->mu(T);
 }
 
 
-Foam::scalar Foam::dew::gasMixtures::idealGasMixture::resistance
+void Foam::dew::gasMixtures::idealGasMixture::prepare
 (
-    const label i,
-    const scalar p,
     const scalar T,
     const UList<scalar>& Y
 ) const
 {
+    mixture(Y);
+    forAll(vapours_, i)
+    {
+        mu_[i] = vapours_[i].mu(T);
+    }
+    mu_[size()] = carrier_->mu(T);
+}
+
+
+Foam::scalar Foam::dew::gasMixtures::idealGasMixture::mixed
+(
+    const label i,
+    const scalar p,
+    const scalar T,
+    const scalar Tn
+) const
+{
     constexpr scalar trace = 1e-12;
-    const scalar mean = W(Y);
     const label n = size();
 
-    scalar sum = 0, xc = 1;
+    scalar others = x_[n] + trace, resistance = others/D(n, i, p, T, Tn);
     for (label j = 0; j < n; j++)
     {
-        const scalar x = Y[j]*mean/W(j);
-        xc -= x;
         if (j != i)
         {
-            sum += (x + trace)/D_[max(i, j)*n + min(i, j)].D(p, T);
+            const scalar x = x_[j] + trace;
+            others += x;
+            resistance += x/D(max(i, j), min(i, j), p, T, Tn);
         }
     }
-    return sum + (xc + trace)/Dc(i, p, T);
+    return others/resistance;
 }
 
 
@@ -239,9 +261,25 @@ Foam::scalar Foam::dew::gasMixtures::idealGasMixture::DY
     {
         return Dc(0, p, T);
     }
-    // The traces of the resistance are those of its size() species
-    const scalar others = 1 - Y[i]*W(Y)/W(i) + size()*1e-12;
-    return others/resistance(i, p, T, Y);
+    mixture(Y);
+    return mixed(i, p, T, std::pow(T, 1.75));
+}
+
+
+void Foam::dew::gasMixtures::idealGasMixture::DY
+(
+    const scalar p,
+    const scalar T,
+    const UList<scalar>& Y,
+    UList<scalar>& result
+) const
+{
+    mixture(Y);
+    const scalar Tn = std::pow(T, 1.75);
+    forAll(vapours_, i)
+    {
+        result[i] = mixed(i, p, T, Tn);
+    }
 }
 
 

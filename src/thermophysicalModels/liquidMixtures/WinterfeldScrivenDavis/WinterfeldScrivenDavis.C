@@ -19,7 +19,10 @@ namespace dew
 namespace mixtureSurfaceTensions
 {
     defineTypeName(WinterfeldScrivenDavis);
-    addToRunTimeSelectionTable(mixtureSurfaceTension, WinterfeldScrivenDavis, dictionary);
+    addToRunTimeSelectionTable
+    (
+        mixtureSurfaceTension, WinterfeldScrivenDavis, dictionary
+    );
 }
 }
 }
@@ -27,7 +30,8 @@ namespace mixtureSurfaceTensions
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::dew::mixtureSurfaceTensions::WinterfeldScrivenDavis::WinterfeldScrivenDavis
+Foam::dew::mixtureSurfaceTensions::WinterfeldScrivenDavis::
+WinterfeldScrivenDavis
 (
     const dictionary& dict,
     const wordList& names,

@@ -19,7 +19,10 @@ namespace dew
 namespace mixtureSurfaceTensions
 {
     defineTypeName(idealSurfaceTension);
-    addToRunTimeSelectionTable(mixtureSurfaceTension, idealSurfaceTension, dictionary);
+    addToRunTimeSelectionTable
+    (
+        mixtureSurfaceTension, idealSurfaceTension, dictionary
+    );
 }
 }
 }

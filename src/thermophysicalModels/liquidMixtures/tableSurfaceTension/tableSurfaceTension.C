@@ -20,7 +20,10 @@ namespace dew
 namespace mixtureSurfaceTensions
 {
     defineTypeName(tableSurfaceTension);
-    addToRunTimeSelectionTable(mixtureSurfaceTension, tableSurfaceTension, dictionary);
+    addToRunTimeSelectionTable
+    (
+        mixtureSurfaceTension, tableSurfaceTension, dictionary
+    );
 }
 }
 }
@@ -114,6 +117,7 @@ Foam::scalar Foam::dew::mixtureSurfaceTensions::tableSurfaceTension::sigma
         i++;
     }
     const scalar share = (z - z_[i - 1])/(z_[i] - z_[i - 1]);
-    const scalar measured = values_[i - 1] + share*(values_[i] - values_[i - 1]);
+    const scalar measured =
+        values_[i - 1] + share*(values_[i] - values_[i - 1]);
     return measured*ideal(p, T, x)/ideal(p, Tref_, x);
 }
