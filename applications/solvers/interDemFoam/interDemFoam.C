@@ -20,7 +20,7 @@ Description
 
         d(alphac rho U)/dt + div(alphac rho U U)
           = beta (- grad p_rgh + sigma K grad I - (rho1 - rho2) g.x grad alpha)
-            + div(alphac tau) + F + Sp (U^n - U)
+            + div(alphac tau) + beta grad_s(sigma) delta + F + Sp (U^n - U)
 
     with the share alpha of the liquid in the fluids, and beta = alphac (model
     A) or 1 (model B). The pressure is p = p_rgh + rho g.x; x is that of the
@@ -56,6 +56,7 @@ Usage
 #include "caseDictionary.H"
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"
+#include "fromFaces.H"
 #include "linearGradient.H"
 #include "meshSymmetry.H"
 #include "particleEngine.H"
@@ -136,6 +137,8 @@ int main(int argc, char *argv[])
                 #include "pEqn.H"
                 exchange.checkFinite();
             }
+            #include "carrierPressure.H"
+            #include "carrierVelocity.H"
 
             if (pimple.turbCorr())
             {

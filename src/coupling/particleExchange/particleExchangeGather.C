@@ -15,7 +15,8 @@
 Foam::tmp<Foam::tensorField>
 Foam::dew::particleExchange::velocityGradient() const
 {
-    if ((linear_ && carrierVelocity_) || needs().motion())
+    const bool any = returnReduce(state_.size(), sumOp<label>()) > 0;
+    if ((any && linear_ && carrierVelocity_) || needs().motion())
     {
         return linearGradient(velocityWithWallLayers()(), map_.symmetry());
     }

@@ -5,8 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "alongInterface.H"
+#include "DynamicList.H"
 #include "fvMesh.H"
-#include "neighbourSum.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -43,34 +43,79 @@ void Foam::dew::alongInterface::extend
 )
 {
     const fvMesh& mesh = values.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
     scalarField& value = values.primitiveFieldRef();
     scalarField& of = layer.primitiveFieldRef();
 
+    DynamicList<label> front, next;
     forAll(value, celli)
     {
         of[celli] = known[celli] ? 0 : beyond;
         value[celli] = known[celli] ? value[celli] : 0;
+        if (known[celli])
+        {
+            front.append(celli);
+        }
     }
 
+    scalarField sum(value.size(), Zero);
+    labelList n(value.size(), Zero);
+    const auto give = [&](const label celli, const scalar given)
+    {
+        if (of[celli] == beyond)
+        {
+            if (n[celli] == 0)
+            {
+                next.append(celli);
+            }
+            sum[celli] += given;
+            n[celli]++;
+        }
+    };
     for (label step = 1; step <= nLayers; step++)
     {
-        tmp<scalarField> tin(new scalarField(of.size()));
-        forAll(of, celli)
+        next.clear();
+        for (const label celli : front)
         {
-            tin.ref()[celli] = of[celli] < step;
-        }
-        const scalarField in(tin());
-        const scalarField n(neighbourSum<scalar>(mesh, tin));
-        const scalarField sum(neighbourSum<scalar>(mesh, in*value));
-
-        forAll(of, celli)
-        {
-            if (of[celli] == beyond && n[celli] > 0)
+            for (const label facei : mesh.cells()[celli])
             {
-                value[celli] = sum[celli]/n[celli];
-                of[celli] = step;
+                if (mesh.isInternalFace(facei))
+                {
+                    const label other =
+                        own[facei] == celli ? nei[facei] : own[facei];
+                    give(other, value[celli]);
+                }
             }
         }
+
+        values.correctBoundaryConditions();
+        layer.correctBoundaryConditions();
+        forAll(mesh.boundary(), patchi)
+        {
+            const fvPatchScalarField& valueb = values.boundaryField()[patchi];
+            const fvPatchScalarField& layerb = layer.boundaryField()[patchi];
+            if (valueb.coupled())
+            {
+                const labelUList& cells = valueb.patch().faceCells();
+                const scalarField valueOut(valueb.patchNeighbourField());
+                const scalarField layerOut(layerb.patchNeighbourField());
+                forAll(cells, i)
+                {
+                    if (layerOut[i] == step - 1)
+                    {
+                        give(cells[i], valueOut[i]);
+                    }
+                }
+            }
+        }
+
+        for (const label celli : next)
+        {
+            value[celli] = sum[celli]/n[celli];
+            of[celli] = step;
+        }
+        front.transfer(next);
     }
 
     values.correctBoundaryConditions();

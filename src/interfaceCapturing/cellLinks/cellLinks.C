@@ -56,15 +56,15 @@ void Foam::dew::cellLinks::append
               : patch.coupled() ? label(inside)
               : patchi;
         }
-        l.toFaceBack = l.toFace - l.d;
 
         for (direction i = 0; i < vector::nComponents; i++)
         {
             if (mesh_.geometricD()[i] < 0)
             {
-                l.d[i] = l.toFace[i] = l.toFaceBack[i] = l.S[i] = 0;
+                l.d[i] = l.toFace[i] = l.S[i] = 0;
             }
         }
+        l.length = mag(l.d);
         if (l.patch != unknown)
         {
             D += sqr(l.d)/magSqr(l.d);
@@ -86,29 +86,6 @@ void Foam::dew::cellLinks::append
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::dew::cellLinks::width
-(
-    const fvMesh& mesh,
-    const label celli
-)
-{
-    vector area(Zero);
-    for (const label facei : mesh.cells()[celli])
-    {
-        area += 0.5*cmptMag(mesh.faceAreas()[facei]);
-    }
-    scalar product = 1;
-    for (direction i = 0; i < vector::nComponents; i++)
-    {
-        if (mesh.geometricD()[i] > 0)
-        {
-            product *= mesh.V()[celli]/area[i];
-        }
-    }
-    return Foam::pow(product, 1.0/mesh.nGeometricD());
-}
-
 
 void Foam::dew::cellLinks::grow
 (

@@ -24,23 +24,9 @@ Foam::dew::surfaceTension::surfaceTension
 )
 :
     surface_(surface),
-    sigma_
+    tension_
     (
-        IOobject
-        (
-            "sigma", surface.mesh().time().timeName(), surface.mesh()
-        ),
-        surface.mesh(),
-        dimensionedScalar
-        (
-            "sigma",
-            dimForce/dimLength,
-            userEntry::notNegative
-            (
-                userEntry::subDict(surfaceProperties, "surfaceTension"),
-                "sigma", dimForce/dimLength
-            )
-        )
+        surface, userEntry::subDict(surfaceProperties, "surfaceTension")
     ),
     force_
     (
@@ -73,7 +59,7 @@ Foam::dew::surfaceTension::surfaceTension
 
 Foam::tmp<Foam::surfaceScalarField> Foam::dew::surfaceTension::force() const
 {
-    return fvc::interpolate(sigma_)*surface_.Kf()*force_->snGrad();
+    return tension_.sigmaf()*surface_.Kf()*force_->snGrad();
 }
 
 
@@ -87,7 +73,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::dew::surfaceTension::implicitPart
     (
         "stiffness",
         implicitShare_*U.time().deltaT()*share
-       *fvc::interpolate(sigma_*mag(fvc::grad(surface_.alpha())))
+       *fvc::interpolate(sigma()*mag(fvc::grad(surface_.alpha())))
     );
 
     return
@@ -125,7 +111,7 @@ Foam::scalar Foam::dew::surfaceTension::capillaryStep
             (
                 least,
                 (rho1 + rho2)*pow3(h)
-               /(4*constant::mathematical::pi*max(sigma_[celli], VSMALL))
+               /(4*constant::mathematical::pi*max(sigma()[celli], VSMALL))
             );
     }
 

@@ -54,14 +54,14 @@ Foam::List<Foam::labelPair> Foam::dew::wallContact::betweenFaces
     {
         return mag(a - b) > 0.5 && !surface.crossed(a) && !surface.crossed(b);
     };
-    forAll(mesh.faceNeighbour(), facei)
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    forAll(own, facei)
     {
-        const label own = mesh.faceOwner()[facei];
-        const label nei = mesh.faceNeighbour()[facei];
-        if (jumps(alpha[own], alpha[nei]))
+        if (jumps(alpha[own[facei]], alpha[nei[facei]]))
         {
-            pairs.append(labelPair(own, facei));
-            pairs.append(labelPair(nei, facei));
+            pairs.append(labelPair(own[facei], facei));
+            pairs.append(labelPair(nei[facei], facei));
         }
     }
     for (const polyPatch& patch : mesh.boundaryMesh())

@@ -45,6 +45,7 @@ def fresh(path, name):
                                   pytest.param('interDemFoam/capillaryRise', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/sessileShape', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/pinnedDrop', marks=pytest.mark.slow),
+                                  pytest.param('interDemFoam/thermocapillaryDrop', marks=pytest.mark.slow),
                                   'interDemFoam/risingBubble', 'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):

@@ -6,6 +6,7 @@
 
 #include "levelSet.H"
 #include "addToRunTimeSelectionTable.H"
+#include "cellWidth.H"
 #include "transportedSurface.H"
 #include "userEntry.H"
 #include "wallContact.H"
@@ -87,9 +88,9 @@ void Foam::dew::distanceModels::levelSet::hold(scalarField& psi)
         );
 
         cut_.set(celli);
-        cut_.function(n);
-        cut_.cut(alpha[celli]);
-        const vector toC(C - cut_.centre());
+        cut_.cutPlane(n, alpha[celli], near_[plane]);
+        near_[plane] = cut_.centre();
+        const vector toC(C - near_[plane]);
 
         const scalar a = (toC & n) - 0.5*(cut_.spread() && gradn);
         const vector s(toC - (toC & n)*n);
@@ -145,6 +146,7 @@ void Foam::dew::distanceModels::levelSet::correct
     setBand(pairs);
     start(pairs, psic);
     sweep(nSweeps, psic);
+    near_ = surface_.planes().x();
     for (label i = 0; i < nCorrections; i++)
     {
         hold(psic);
@@ -153,13 +155,13 @@ void Foam::dew::distanceModels::levelSet::correct
     measure(psic);
 
     const scalarField& alpha = surface_.alpha().primitiveField();
+    const scalarField& width = cellWidth::of(mesh);
     forAll(layer_, celli)
     {
         if (layer_[celli] < 0)
         {
             psic[celli] =
-                (alpha[celli] > 0.5 ? nLayers : -nLayers)
-               *cellLinks::width(mesh, celli);
+                (alpha[celli] > 0.5 ? nLayers : -nLayers)*width[celli];
             n[celli] = Zero;
         }
         else

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "levelSet.H"
+#include "cellWidth.H"
 #include "transportedSurface.H"
 #include "wallContact.H"
 
@@ -46,9 +47,10 @@ void Foam::dew::distanceModels::levelSet::setBand
     held_.setSize(cells.size());
     gradn_.setSize(mesh.nCells());
     gradn_ = Zero;
+    const scalarField& width = cellWidth::of(mesh);
     forAll(cells, i)
     {
-        dx_[i] = cellLinks::width(mesh, cells[i]);
+        dx_[i] = width[cells[i]];
         held_[i] = layer_[cells[i]] == 0;
     }
 

@@ -30,8 +30,6 @@ void Foam::dew::distanceModels::levelSet::calculateGradient
     forAll(band_.cell(), i)
     {
         const label celli = band_.cell()[i];
-        const vector n(-normalised(gradient_[celli]));
-
         vector g(Zero);
         for (const cellLinks::link& l : band_.of(i))
         {
@@ -46,7 +44,8 @@ void Foam::dew::distanceModels::levelSet::calculateGradient
                   - (
                         wallContact::normal
                         (
-                            surface_, l, psi[celli], n, gradn_[celli]
+                            surface_, l, psi[celli],
+                            -normalised(gradient_[celli]), gradn_[celli]
                         )
                       & l.d
                     );
@@ -63,62 +62,50 @@ void Foam::dew::distanceModels::levelSet::calculateGradient
 }
 
 
-Foam::scalar Foam::dew::distanceModels::levelSet::bounded
-(
-    const label i,
-    const scalar value,
-    const scalarField& psi
-) const
-{
-    const label celli = band_.cell()[i];
-    const scalar sign = surface_.alpha()[celli] > 0.5 ? 1 : -1;
-
-    scalar far = max(sign*value, scalar(0));
-    for (const cellLinks::link& l : band_.of(i))
-    {
-        if (l.patch == cellLinks::inside)
-        {
-            const scalar other =
-                l.cell >= 0 ? psi[l.cell] : psiBehind_[-1 - l.cell];
-            far = min(far, mag(other) + 1.05*mag(l.d));
-        }
-    }
-    return sign*far;
-}
-
-
-Foam::scalar Foam::dew::distanceModels::levelSet::change
+Foam::scalar Foam::dew::distanceModels::levelSet::stepped
 (
     const label i,
     const scalarField& psi
 ) const
 {
     const label celli = band_.cell()[i];
+    const scalar old = psi[celli];
     const vector& g = gradient_[celli];
-    const scalar S =
-        psi[celli]/Foam::sqrt(sqr(psi[celli]) + sqr(0.5*dx_[i]));
+    const scalar S = old/Foam::sqrt(sqr(old) + sqr(0.5*dx_[i]));
     const vector away(S < 0 ? -normalised(g) : normalised(g));
 
     scalar slope = 0;
     scalar leaving = 0;
+    scalar furthest = GREAT;
     for (const cellLinks::link& l : band_.of(i))
     {
         const scalar out = away & l.S;
         scalar rise = g & l.toFace;
-        if (out < 0 && l.patch == cellLinks::inside)
+        if (l.patch == cellLinks::inside)
         {
-            rise =
-                l.cell >= 0
-              ? psi[l.cell] - psi[celli] + (gradient_[l.cell] & l.toFaceBack)
-              : psiBehind_[-1 - l.cell] - psi[celli]
-              + (gradientBehind_[-1 - l.cell] & l.toFaceBack);
+            const bool here = l.cell >= 0;
+            const label k = here ? l.cell : -1 - l.cell;
+            const scalar other = here ? psi[k] : psiBehind_[k];
+            if (out < 0)
+            {
+                rise =
+                    other - old
+                  + (
+                        (here ? gradient_[k] : gradientBehind_[k])
+                      & (l.toFace - l.d)
+                    );
+            }
+            furthest = min(furthest, mag(other) + 1.05*l.length);
         }
         slope += out*rise;
         leaving += max(out, scalar(0));
     }
-    const scalar V = surface_.mesh().V()[celli];
+    const scalar V = surface_.mesh().cellVolumes()[celli];
     const scalar dtau = 0.4*V/max(leaving, V/dx_[i]);
-    return dtau*(S - mag(S)*slope/V);
+
+    const scalar sign = surface_.alpha()[celli] > 0.5 ? 1 : -1;
+    const scalar value = old + dtau*(S - mag(S)*slope/V);
+    return sign*min(max(sign*value, scalar(0)), furthest);
 }
 
 
@@ -136,8 +123,7 @@ void Foam::dew::distanceModels::levelSet::sweep
     {
         forAll(next, i)
         {
-            const scalar old = psi[band_.cell()[i]];
-            next[i] = held_[i] ? old : bounded(i, old + change(i, psi), psi);
+            next[i] = held_[i] ? psi[band_.cell()[i]] : stepped(i, psi);
         }
         forAll(next, i)
         {

@@ -6,7 +6,7 @@
 
 #include "levelSetCSF.H"
 #include "addToRunTimeSelectionTable.H"
-#include "cellLinks.H"
+#include "cellWidth.H"
 #include "fvcSnGrad.H"
 #include "mathematicalConstants.H"
 #include "transportedSurface.H"
@@ -50,6 +50,7 @@ Foam::dew::surfaceTensionForceModels::levelSetCSF::step() const
     const fvMesh& mesh = surface_.mesh();
     const scalarField& psi = surface_.psi().primitiveField();
     const vectorField& n = surface_.n().primitiveField();
+    const scalarField& width = cellWidth::of(mesh);
     const scalar pi = constant::mathematical::pi;
 
     tmp<volScalarField> tstep
@@ -65,12 +66,13 @@ Foam::dew::surfaceTensionForceModels::levelSetCSF::step() const
     volScalarField& step = tstep.ref();
     forAll(psi, celli)
     {
-        scalar p = psi[celli] > 0 ? 1 : -1;
-        if (n[celli] != vector(Zero))
+        const scalar eps = 1.5*width[celli];
+        if (mag(psi[celli]) >= eps || n[celli] == vector(Zero))
         {
-            const scalar eps = 1.5*cellLinks::width(mesh, celli);
-            p = max(min(psi[celli]/eps, scalar(1)), scalar(-1));
+            step[celli] = psi[celli] > 0 ? 1 : 0;
+            continue;
         }
+        const scalar p = psi[celli]/eps;
         step[celli] = 0.5*(1 + p + Foam::sin(pi*p)/pi);
     }
     step.correctBoundaryConditions();
