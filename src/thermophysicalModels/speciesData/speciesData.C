@@ -7,6 +7,7 @@
 #include "speciesData.H"
 #include "DynamicList.H"
 #include "error.H"
+#include "FlatOutput.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -111,15 +112,22 @@ const Foam::dew::speciesData* Foam::dew::speciesData::find(const word& name)
 const Foam::dew::speciesData& Foam::dew::speciesData::get
 (
     const word& name,
-    const char* what
+    const char* what,
+    const dictionary& dict
 )
 {
     const speciesData* found = find(name);
+    if (!found && &dict != &dictionary::null)
+    {
+        FatalIOErrorInFunction(dict)
+            << "No " << what << " is known of the species " << name << nl
+            << "Known: " << flatOutput(names()) << exit(FatalIOError);
+    }
     if (!found)
     {
         FatalErrorInFunction
             << "No " << what << " is known of the species " << name << nl
-            << "Known: " << names() << exit(FatalError);
+            << "Known: " << flatOutput(names()) << exit(FatalError);
     }
     return *found;
 }

@@ -44,12 +44,14 @@ scalar collisions(const scalar t)
 
 
 //- Diameter and depth
-Tuple2<scalar, scalar> potential(const dictionary& potentials, const word& name)
+Tuple2<scalar, scalar> potential(const dictionary& dict, const word& name)
 {
+    const dictionary& potentials =
+        dew::userEntry::optionalDict(dict, "potentials");
     if (!potentials.found(name))
     {
         const dew::speciesData& species =
-            dew::speciesData::get(name, "Lennard-Jones potential");
+            dew::speciesData::get(name, "Lennard-Jones potential", dict);
         return {species.diameter, species.depth};
     }
 
@@ -80,10 +82,9 @@ Foam::dew::binaryDiffusivities::ChapmanEnskog::ChapmanEnskog
 )
 {
     userEntry::onlyThese(dict, {"type", "potentials", "pairs"});
-    const dictionary& potentials = userEntry::optionalDict(dict, "potentials");
 
-    const auto ofA = potential(potentials, a.name);
-    const auto ofB = potential(potentials, b.name);
+    const auto ofA = potential(dict, a.name);
+    const auto ofB = potential(dict, b.name);
     const scalar M = 2e3/(1/a.W + 1/b.W);
     factor_ =
         0.0266/(std::sqrt(M)*sqr(0.5*(ofA.first() + ofB.first())));

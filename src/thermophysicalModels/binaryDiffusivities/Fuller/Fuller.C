@@ -33,12 +33,13 @@ namespace
 
 using namespace Foam;
 
-scalar volume(const dictionary& volumes, const word& name)
+scalar volume(const dictionary& dict, const word& name)
 {
+    const dictionary& volumes = dew::userEntry::optionalDict(dict, "volumes");
     return
         volumes.found(name)
       ? dew::userEntry::positive(volumes, name, dimless)
-      : dew::speciesData::get(name, "diffusion volume").volume;
+      : dew::speciesData::get(name, "diffusion volume", dict).volume;
 }
 
 } // End anonymous namespace
@@ -54,11 +55,10 @@ Foam::dew::binaryDiffusivities::Fuller::Fuller
 )
 {
     userEntry::onlyThese(dict, {"type", "volumes", "pairs"});
-    const dictionary& volumes = userEntry::optionalDict(dict, "volumes");
 
     const scalar M = 2e3/(1/a.W + 1/b.W);
     const scalar sum =
-        std::cbrt(volume(volumes, a.name)) + std::cbrt(volume(volumes, b.name));
+        std::cbrt(volume(dict, a.name)) + std::cbrt(volume(dict, b.name));
     factor_ = 0.0143/(std::sqrt(M)*sqr(sum));
 }
 

@@ -73,7 +73,7 @@ void Foam::dew::vapourLiquidEquilibrium::readFugacity(const dictionary& dict)
         }
         const speciesData& species = speciesData::get
         (
-            i < n_ ? liquids_.liquid(i).name() : name, "critical point"
+            i < n_ ? liquids_.liquid(i).name() : name, "critical point", dict
         );
         Tc[i] = species.Tc;
         pc[i] = species.pc;

@@ -7,6 +7,7 @@
 #include "gasFits.H"
 #include "DynamicList.H"
 #include "error.H"
+#include "FlatOutput.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -122,7 +123,7 @@ const Foam::dew::gasFits table[] =
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
 
 const Foam::dew::gasFits&
-Foam::dew::gasFits::get(const word& name)
+Foam::dew::gasFits::get(const word& name, const dictionary& dict)
 {
     const gasFits* found = nullptr;
     for (const gasFits& gas : table)
@@ -132,11 +133,17 @@ Foam::dew::gasFits::get(const word& name)
             found = &gas;
         }
     }
+    if (!found && &dict != &dictionary::null)
+    {
+        FatalIOErrorInFunction(dict)
+            << "No properties are known of the gas " << name << nl
+            << "Known gases: " << flatOutput(names()) << exit(FatalIOError);
+    }
     if (!found)
     {
         FatalErrorInFunction
             << "No properties are known of the gas " << name << nl
-            << "Known gases: " << names() << exit(FatalError);
+            << "Known gases: " << flatOutput(names()) << exit(FatalError);
     }
     return *found;
 }

@@ -26,10 +26,14 @@ namespace pureGases
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::dew::pureGases::libraryGas::libraryGas(const word& species)
+Foam::dew::pureGases::libraryGas::libraryGas
+(
+    const word& species,
+    const dictionary& dict
+)
 :
-    fits_(gasFits::get(speciesData::nameOf(species))),
-    species_(speciesData::get(species, "molar mass"))
+    fits_(gasFits::get(speciesData::nameOf(species), dict)),
+    species_(speciesData::get(species, "molar mass", dict))
 {}
 
 
@@ -39,7 +43,7 @@ Foam::dew::pureGases::libraryGas::libraryGas
     const liquidModel&
 )
 :
-    libraryGas(dict.get<word>("species"))
+    libraryGas(dict.get<word>("species"), dict)
 {
     userEntry::onlyThese(dict, {"type", "species"});
 }

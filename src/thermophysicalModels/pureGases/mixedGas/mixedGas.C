@@ -29,7 +29,11 @@ namespace pureGases
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
 Foam::autoPtr<Foam::dew::pureGas>
-Foam::dew::pureGases::mixedGas::species(const word& name)
+Foam::dew::pureGases::mixedGas::species
+(
+    const word& name,
+    const dictionary& dict
+)
 {
     const word known(speciesData::nameOf(name));
     if (known == "air")
@@ -40,7 +44,7 @@ Foam::dew::pureGases::mixedGas::species(const word& name)
     {
         return autoPtr<pureGas>(new steam);
     }
-    return autoPtr<pureGas>(new libraryGas(known));
+    return autoPtr<pureGas>(new libraryGas(known, dict));
 }
 
 
@@ -70,7 +74,7 @@ Foam::dew::pureGases::mixedGas::mixedGas
     forAll(names, i)
     {
         x_[i] = userEntry::within(fractions, names[i], 0, 1);
-        gases_.set(i, species(names[i]).ptr());
+        gases_.set(i, species(names[i], fractions).ptr());
         W[i] = gases_[i].W();
     }
     if (mag(sum(x_) - 1) > 1e-3)
