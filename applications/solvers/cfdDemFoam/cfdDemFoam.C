@@ -39,6 +39,7 @@ Usage
     \endverbatim
 \*---------------------------------------------------------------------------*/
 
+#include "cyclicAMIFvPatch.H"
 #include "fvCFD.H"
 #include "dynamicFvMesh.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
@@ -52,6 +53,7 @@ Usage
 #include "wallFvPatch.H"
 
 #include "boundaryForces.H"
+#include "checkOptionFields.H"
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"
 #include "linearGradient.H"

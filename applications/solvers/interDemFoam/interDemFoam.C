@@ -44,6 +44,7 @@ Usage
     \endverbatim
 \*---------------------------------------------------------------------------*/
 
+#include "cyclicAMIFvPatch.H"
 #include "fvCFD.H"
 #include "dynamicFvMesh.H"
 #include "fvOptions.H"
@@ -54,6 +55,8 @@ Usage
 
 #include "boundaryForces.H"
 #include "caseDictionary.H"
+#include "checkField.H"
+#include "checkOptionFields.H"
 #include "couplingCheck.H"
 #include "evaluateCoupled.H"
 #include "fromFaces.H"
@@ -96,6 +99,7 @@ int main(int argc, char *argv[])
 
     check.print();
     #include "checkCapillary.H"
+    #include "checkViscous.H"
     if (args.found("dry-run"))
     {
         Info<< "End of the dry run\n" << endl;
@@ -109,6 +113,7 @@ int main(int argc, char *argv[])
         #include "readTimeControls.H"
         #include "CourantNo.H"
         #include "setTwoFluidDeltaT.H"
+        #include "checkViscous.H"
 
         ++runTime;
 

@@ -103,6 +103,8 @@ void Foam::dew::cellColumns::chooseAxes()
     const label first = returnReduce(rank, minOp<label>());
     if (first == Pstream::nProcs())
     {
+        // Nothing of the cells that were tried
+        axes = Zero;
         for (label k = 0; k < 3; k++)
         {
             axes[k][k] = 1;

@@ -33,6 +33,23 @@ Foam::dimensionedScalar Foam::dew::twoFluids::density(const word& phase) const
 }
 
 
+void Foam::dew::twoFluids::checkViscosity
+(
+    const word& phase,
+    const viscosityModel& model
+) const
+{
+    const scalar least = gMin(model.nu()().primitiveField());
+    if (!(least >= 0))
+    {
+        FatalIOErrorInFunction(subDict(phase))
+            << "The viscosity of " << phase << " in constant/transportProperties"
+            << " is " << least << " m2/s somewhere" << nl
+            << "It is 0 or positive" << exit(FatalIOError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dew::twoFluids::twoFluids
@@ -79,6 +96,8 @@ Foam::dew::twoFluids::twoFluids
     mu_(IOobject("mu", U.time().timeName(), U.db()), rho_*nu1_->nu()),
     nu_(IOobject("nu", U.time().timeName(), U.db()), mu_/rho_)
 {
+    checkViscosity(liquid, nu1_());
+    checkViscosity(other(liquid), nu2_());
     correct();
 }
 

@@ -37,7 +37,11 @@ Foam::dew::curvatureModel::curvatureModel(const transportedSurface& surface)
     ),
     Kf_
     (
-        IOobject("Kf", surface.mesh().time().timeName(), surface.mesh()),
+        IOobject
+        (
+            "Kf", surface.mesh().time().timeName(), surface.mesh(),
+            IOobject::NO_READ, IOobject::NO_WRITE, false
+        ),
         surface.mesh(),
         dimensionedScalar(dimless/dimLength, Zero)
     ),
@@ -53,7 +57,12 @@ void Foam::dew::curvatureModel::correct(volScalarField& curvature)
 
     calculate(curvature.primitiveFieldRef(), known);
     alongInterface::extend(curvature, known, layer_);
-    Kf_ = dimensionedScalar(Kf_.dimensions(), Zero);
+    // As large as the mesh is now
+    Kf_ =
+        surfaceScalarField::New
+        (
+            "Kf", surface_.mesh(), dimensionedScalar(Kf_.dimensions(), Zero)
+        );
     alongInterface::toFaces(curvature, layer_, Kf_);
 
     curvature *= 0.5;

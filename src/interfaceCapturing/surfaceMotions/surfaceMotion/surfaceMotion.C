@@ -38,6 +38,26 @@ Foam::IOobject derived
     );
 }
 
+//- The share of the liquid, in a field that must be there
+Foam::IOobject shares(const Foam::fvMesh& mesh, const Foam::word& liquidName)
+{
+    using namespace Foam;
+
+    IOobject io(derived(mesh, "alpha", liquidName));
+    io.readOpt() = IOobject::MUST_READ;
+    io.writeOpt() = IOobject::AUTO_WRITE;
+    if (!io.typeHeaderOk<volScalarField>(true))
+    {
+        FatalErrorInFunction
+            << "There is no volScalarField " << io.objectPath()
+            << ", the share of the liquid " << liquidName
+            << " of constant/surfaceProperties" << nl
+            << "Make it with setLiquid, or change 'liquid'"
+            << exit(FatalError);
+    }
+    return io;
+}
+
 } // End anonymous namespace
 
 
@@ -53,18 +73,7 @@ Foam::dew::surfaceMotion::surfaceMotion
     symmetry_(mesh),
     dict_(userEntry::subDict(surfaceProperties, "surfaceMotion")),
     liquidName_(surfaceProperties.get<word>("liquid")),
-    alpha_
-    (
-        IOobject
-        (
-            IOobject::groupName("alpha", liquidName_),
-            mesh.time().timeName(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::AUTO_WRITE
-        ),
-        mesh
-    ),
+    alpha_(shares(mesh, liquidName_), mesh),
     psi_(derived(mesh, "surfaceDistance", liquidName_), mesh, dimLength),
     n_(derived(mesh, "surfaceNormal", liquidName_), mesh, dimless),
     curvature_

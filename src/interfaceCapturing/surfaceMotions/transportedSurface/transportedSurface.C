@@ -79,6 +79,13 @@ Foam::dew::transportedSurface::transportedSurface
             << " to " << high << nl
             << "A share of the volume is from 0 to 1" << exit(FatalError);
     }
+    if (high <= 0)
+    {
+        WarningInFunction
+            << "There is no liquid: the field " << alpha_.objectPath()
+            << " is 0 everywhere" << nl
+            << "setLiquid puts some there, of system/setLiquidDict" << endl;
+    }
 }
 
 
@@ -153,6 +160,13 @@ void Foam::dew::transportedSurface::update(const scalarField& alpha)
     alpha_.primitiveFieldRef() = alpha;
     alpha_.correctBoundaryConditions();
     alpha_.oldTime() == alpha_;
+
+    alphaPhi_ =
+        surfaceScalarField::New
+        (
+            "alphaPhi", mesh_, dimensionedScalar(alphaPhi_.dimensions(), Zero)
+        );
+    alphaPhi_.setOriented();
 }
 
 
