@@ -7,7 +7,9 @@
 #include "libraryLiquid.H"
 #include "addToRunTimeSelectionTable.H"
 #include "liquidProperties.H"
+#include "speciesData.H"
 #include "userEntry.H"
+#include "waterDensity.H"
 
 #include <cmath>
 #include <cstdlib>
@@ -133,7 +135,7 @@ scalar constantOf
 Foam::autoPtr<Foam::liquidProperties>
 Foam::dew::liquidModels::libraryLiquid::select(const dictionary& dict)
 {
-    const word name(dict.get<word>("liquid"));
+    const word name(speciesData::nameOf(dict.get<word>("liquid")));
     const dictionary& overrides = userEntry::optionalDict(dict, "overrides");
 
     if (!liquidProperties::dictionaryConstructorTablePtr_->found(name))
@@ -158,9 +160,15 @@ Foam::dew::liquidModels::libraryLiquid::select(const dictionary& dict)
         overrides,
         {
             "rho", "mu", "Cp", "kappa", "hl", "sigma", "pv",
-            "Cpg", "kappag", "mug"
+            "Cpg", "kappag", "mug", "Antoine"
         }
     );
+    if (overrides.found("Antoine") && overrides.found("pv"))
+    {
+        FatalIOErrorInFunction(overrides)
+            << "Both pv and Antoine in " << overrides.dictName() << nl
+            << "Remove one of them" << exit(FatalIOError);
+    }
     if (overrides.found("pv") && !overrides.isDict("pv"))
     {
         FatalIOErrorInFunction(overrides)
@@ -173,7 +181,7 @@ Foam::dew::liquidModels::libraryLiquid::select(const dictionary& dict)
     dictionary fits(mended(name));
     for (const entry& e : overrides)
     {
-        if (e.isDict())
+        if (e.isDict() && e.keyword() != "Antoine")
         {
             // The library calls the conductivity K
             const word key(e.keyword() == "kappa" ? "K" : e.keyword());
@@ -200,10 +208,19 @@ void Foam::dew::liquidModels::libraryLiquid::refuse(const scalar T) const
 
 Foam::dew::liquidModels::libraryLiquid::libraryLiquid(const dictionary& dict)
 :
-    name_(dict.get<word>("liquid")),
+    name_(speciesData::nameOf(dict.get<word>("liquid"))),
+    water_
+    (
+        name_ == "H2O"
+     && !userEntry::optionalDict(dict, "overrides").found("rho")
+    ),
     fits_(select(dict)),
     W_(1e-3*fits_->W()),
-    Tc_(fits_->Tc())
+    Tc_(fits_->Tc()),
+    Tmin_(fits_->Tt()),
+    antoineA_(0),
+    antoineB_(-1),
+    antoineC_(0)
 {
     userEntry::onlyThese(dict, {"type", "liquid", "overrides"});
 
@@ -223,6 +240,21 @@ Foam::dew::liquidModels::libraryLiquid::libraryLiquid(const dictionary& dict)
     Cpg_ = of("Cpg", dimSpecificHeatCapacity);
     kappag_ = of("kappag", dimKappa);
     mug_ = of("mug", dimDynamicViscosity);
+
+    if (overrides.found("Antoine"))
+    {
+        const dictionary& antoine = userEntry::subDict(overrides, "Antoine");
+        userEntry::onlyThese(antoine, {"A", "B", "C", "unitOfP", "zeroOfT"});
+
+        const scalar ln10 = std::log(10.0);
+        antoineA_ =
+            ln10*userEntry::number(antoine, "A", dimless)
+          + std::log(userEntry::positive(antoine, "unitOfP", dimPressure));
+        antoineB_ = ln10*userEntry::positive(antoine, "B", dimTemperature);
+        antoineC_ =
+            userEntry::number(antoine, "C", dimTemperature)
+          - userEntry::notNegative(antoine, "zeroOfT", dimTemperature);
+    }
 }
 
 
@@ -238,6 +270,10 @@ Foam::scalar Foam::dew::liquidModels::libraryLiquid::rho
     const scalar T
 ) const
 {
+    if (water_)
+    {
+        return waterDensity(checked(T));
+    }
     return rho_ < 0 ? fits_->rho(p, checked(T)) : rho_;
 }
 
@@ -292,12 +328,24 @@ Foam::scalar Foam::dew::liquidModels::libraryLiquid::sigma
 }
 
 
+Foam::scalar Foam::dew::liquidModels::libraryLiquid::saturation
+(
+    const scalar T
+) const
+{
+    return
+        antoineB_ < 0
+      ? fits_->pv(0, T)
+      : std::exp(antoineA_ - antoineB_/(T + antoineC_));
+}
+
+
 Foam::scalar Foam::dew::liquidModels::libraryLiquid::pSat
 (
     const scalar T
 ) const
 {
-    return fits_->pv(0, checked(T));
+    return saturation(checked(T));
 }
 
 
@@ -312,7 +360,7 @@ Foam::scalar Foam::dew::liquidModels::libraryLiquid::dpSatdT
 
     return
         pSat(T)
-       *std::log(fits_->pv(0, T + h)/fits_->pv(0, T - h))/(2*h);
+       *std::log(saturation(T + h)/saturation(T - h))/(2*h);
 }
 
 
@@ -321,21 +369,22 @@ Foam::scalar Foam::dew::liquidModels::libraryLiquid::Tboil
     const scalar p
 ) const
 {
-    if (p >= fits_->pv(0, Tc_))
+    if (p >= saturation(Tc_))
     {
         return GREAT;
     }
 
     // pSat grows with T. Newton on ln p over 1/T, kept in the bracket
-    scalar low = 0.1*Tc_, high = Tc_;
+    scalar low = max(0.1*Tc_, antoineB_ < 0 ? 0 : 1e-2*Tc_ - antoineC_);
+    scalar high = Tc_;
     scalar T = fits_->Tb();
     for (label i = 0; i < 100; i++)
     {
-        const scalar error = std::log(fits_->pv(0, T)/p);
+        const scalar error = std::log(saturation(T)/p);
         (error > 0 ? high : low) = T;
         const scalar h = 1e-4*T;
         const scalar slope =
-            std::log(fits_->pv(0, T + h)/fits_->pv(0, T - h))/(2*h);
+            std::log(saturation(T + h)/saturation(T - h))/(2*h);
 
         scalar next = 1/(1/T + error/(slope*T*T));
         if (!(next > low && next < high))

@@ -31,9 +31,15 @@ Foam::dew::pureGases::constantPureGas::constantPureGas
     const liquidModel& liquid
 )
 :
+    name_
+    (
+        dict.dictName() == "carrier"
+      ? dict.getOrDefault<word>("species", "carrier")
+      : liquid.name()
+    ),
     W_
     (
-        dict.dictName() == "vapour"
+        dict.dictName() != "carrier"
       ? liquid.W()
       : 1e-3*userEntry::within(dict, "W", 1, 2000)
     ),
@@ -47,12 +53,15 @@ Foam::dew::pureGases::constantPureGas::constantPureGas
     ),
     mu_(userEntry::positive(dict, "mu", dimDynamicViscosity))
 {
-    if (dict.dictName() == "vapour")
+    if (dict.dictName() == "carrier")
     {
-        userEntry::onlyThese(dict, {"type", "Cp", "kappa", "mu"});
+        userEntry::onlyThese
+        (
+            dict, {"type", "species", "W", "Cp", "kappa", "mu"}
+        );
     }
     else
     {
-        userEntry::onlyThese(dict, {"type", "W", "Cp", "kappa", "mu"});
+        userEntry::onlyThese(dict, {"type", "Cp", "kappa", "mu"});
     }
 }
