@@ -161,15 +161,19 @@ int main(int argc, char *argv[])
             << mesh.Cf()[i] << ',' << mesh.magSf()[i] << ','
             << motion.alphaf()[i] << '\n';
 
-        point a(mesh.C()[mesh.owner()[i]]), b(mesh.C()[mesh.neighbour()[i]]);
-        if (motion.inLiquid(b))
+        label own = mesh.owner()[i], nei = mesh.neighbour()[i];
+        if (motion.inLiquid(mesh.C()[nei]))
         {
-            Swap(a, b);
+            Swap(own, nei);
         }
+        const point& a = mesh.C()[own];
+        const point& b = mesh.C()[nei];
         if (motion.inLiquid(a) && !motion.inLiquid(b))
         {
             crossings
-                << a << ',' << b << ',' << motion.crossing(a, b) << '\n';
+                << a << ',' << b << ','
+                << motion.crossing(a, motion.psi()[own], b, motion.psi()[nei])
+                << '\n';
         }
     }
     std::ofstream patches
