@@ -98,6 +98,7 @@ void Foam::dew::evaporate
         return;
     }
 
+    #include "startPressure.H"
     output.writeStart();
 
     while (runTime.run())
