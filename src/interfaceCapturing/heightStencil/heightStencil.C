@@ -273,7 +273,7 @@ bool Foam::dew::heightStencil::refine
             return false;
         }
         at.set(found);
-        if (change <= 1e-6*at.size())
+        if (change <= 1e-9*at.size())
         {
             d = found;
             return true;
