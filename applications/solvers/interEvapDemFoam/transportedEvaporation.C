@@ -19,7 +19,8 @@ Description
 
     The flux that carries the surface has not e in it (carryingFlux.H). What
     evaporates is found at the new place of the surface, and leaves the liquid
-    after the next transport; it is on its way in between (leaving).
+    after the next transport; it is on its way in between (leaving). A cap that
+    is too thin for the mesh is handed over (handOver).
 \*---------------------------------------------------------------------------*/
 
 #include "evaporations.H"
@@ -45,6 +46,7 @@ Description
 #include "fromFaces.H"
 #include "gasModel.H"
 #include "gasPhase.H"
+#include "handOver.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
 #include "linearGradient.H"
@@ -63,7 +65,7 @@ Description
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
-void Foam::dew::evaporate
+Foam::dictionary Foam::dew::evaporate
 (
     argList& args,
     Time& runTime,
@@ -95,8 +97,10 @@ void Foam::dew::evaporate
     if (args.found("dry-run"))
     {
         Info<< "End of the dry run\n" << endl;
-        return;
+        return dictionary();
     }
+
+    const dew::handOver thin(surface, surfaceProperties);
 
     #include "startPressure.H"
     output.writeStart();
@@ -192,9 +196,24 @@ void Foam::dew::evaporate
         #include "surfaceReport.H"
         ledger.report(gMax(mag(U.primitiveField())));
         exchange.report();
+
+        if (thin.due())
+        {
+            // What is on its way leaves now; the quasi-static p is another one
+            surface.recede(leaving.primitiveField()*mesh.V()/rhoL, alphacFluid);
+            surface.correct(flow, true);
+            leaving == dimensionedScalar(dimDensity, Zero);
+            p.writeOpt() = IOobject::NO_WRITE;
+            runTime.writeNow();
+            report.print();
+            return thin.shape();
+        }
+
         runTime.write();
         report.print();
     }
+
+    return dictionary();
 }
 
 
