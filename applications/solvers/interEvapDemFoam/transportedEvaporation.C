@@ -49,6 +49,7 @@ Description
 #include "interfaceTransfer.H"
 #include "linearGradient.H"
 #include "liquidPhase.H"
+#include "liquidSpecies.H"
 #include "meshSymmetry.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
@@ -142,6 +143,7 @@ void Foam::dew::evaporate
             #include "gasFluxEqn.H"
             #include "YEqn.H"
             interface.assemble(Y);
+            liquidSpecies.solve(phiL, T, p0);
             #include "TEqn.H"
         }
         #include "checkGas.H"
@@ -154,7 +156,8 @@ void Foam::dew::evaporate
         (
             interface.rate()*runTime.deltaTValue()/rhoL,
             runTime.deltaTValue(),
-            phiG
+            phiG,
+            liquidSpecies
         );
         expansion.primitiveFieldRef() =
             gas.expansion(phiG)().field() - interface.sourceOf(1/rhoL)();
