@@ -32,11 +32,12 @@ Description
 #include "couplingCheck.H"
 #include "evaporationLedger.H"
 #include "exponentialFitted.H"
-#include "gasModel.H"
+#include "gasMixture.H"
 #include "gasPhase.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
-#include "liquidModel.H"
+#include "liquidPhase.H"
+#include "liquidSpecies.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
 #include "particleOutput.H"
@@ -97,11 +98,12 @@ void Foam::dew::evaporate
         for (; iter < nIter && interface.change() > gasTolerance; iter++)
         {
             #include "gasRows.H"
-            interface.linearise(T, Y.get(), energy);
+            interface.linearise(T, Y, energy);
             gas.correct();
             #include "gasFluxEqn.H"
             #include "YEqn.H"
-            interface.assemble(Y.get());
+            interface.assemble(Y);
+            liquidSpecies.solve(phiL, T, p0);
             #include "TEqn.H"
         }
         #include "checkGas.H"
@@ -111,7 +113,7 @@ void Foam::dew::evaporate
         const scalar lost = ledger.liquidLost(runTime.deltaTValue());
         surface.evolve(lost);
         interface.distribute();
-        ledger.add(lost, runTime.deltaTValue(), phiG);
+        ledger.add(lost, runTime.deltaTValue(), phiG, liquidSpecies);
 
         // The liquid follows
         #include "liquidRegion.H"

@@ -44,13 +44,14 @@ Description
 #include "evaporationLedger.H"
 #include "exponentialFitted.H"
 #include "fromFaces.H"
-#include "gasModel.H"
+#include "gasMixture.H"
 #include "gasPhase.H"
 #include "handOver.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
 #include "linearGradient.H"
-#include "liquidModel.H"
+#include "liquidPhase.H"
+#include "liquidSpecies.H"
 #include "meshSymmetry.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
@@ -142,11 +143,12 @@ Foam::dictionary Foam::dew::evaporate
         for (; iter < nIter && interface.change() > gasTolerance; iter++)
         {
             #include "gasRows.H"
-            interface.linearise(T, Y.get(), energy);
+            interface.linearise(T, Y, energy);
             gas.correct();
             #include "gasFluxEqn.H"
             #include "YEqn.H"
-            interface.assemble(Y.get());
+            interface.assemble(Y);
+            liquidSpecies.solve(phiL, T, p0);
             #include "TEqn.H"
         }
         #include "checkGas.H"
@@ -159,7 +161,8 @@ Foam::dictionary Foam::dew::evaporate
         (
             interface.rate()*runTime.deltaTValue()/rhoL,
             runTime.deltaTValue(),
-            phiG
+            phiG,
+            liquidSpecies
         );
         expansion.primitiveFieldRef() =
             gas.expansion(phiG)().field() - interface.sourceOf(1/rhoL)();

@@ -28,8 +28,8 @@ namespace evaporationLaws
 Foam::dew::evaporationLaws::fixedFlux::fixedFlux
 (
     const dictionary& dict,
-    const liquidModel&,
-    const gasModel&
+    const liquidMixture&,
+    const gasMixture&
 )
 :
     J_(userEntry::number(dict, "flux", dimMass/dimArea/dimTime))
@@ -49,6 +49,19 @@ Foam::dew::filmFlux Foam::dew::evaporationLaws::fixedFlux::flux
     filmFlux f;
     f.N = J_*film.cosine;
     return f;
+}
+
+
+void Foam::dew::evaporationLaws::fixedFlux::fluxes
+(
+    const gasFilm& film,
+    speciesFlux& all
+) const
+{
+    all.N = J_*film.cosine*film.X;
+    all.dNdY = 0;
+    all.dNdTs = 0;
+    all.Xs = film.X;
 }
 
 

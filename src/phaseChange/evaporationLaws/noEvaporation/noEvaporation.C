@@ -28,8 +28,8 @@ namespace evaporationLaws
 Foam::dew::evaporationLaws::noEvaporation::noEvaporation
 (
     const dictionary& dict,
-    const liquidModel&,
-    const gasModel&
+    const liquidMixture&,
+    const gasMixture&
 )
 {
     userEntry::onlyThese(dict, {"type"});
@@ -45,6 +45,19 @@ Foam::dew::filmFlux Foam::dew::evaporationLaws::noEvaporation::flux
 ) const
 {
     return filmFlux();
+}
+
+
+void Foam::dew::evaporationLaws::noEvaporation::fluxes
+(
+    const gasFilm& film,
+    speciesFlux& all
+) const
+{
+    all.N = 0;
+    all.dNdY = 0;
+    all.dNdTs = 0;
+    all.Xs = film.X;
 }
 
 
