@@ -32,11 +32,11 @@ Description
 #include "couplingCheck.H"
 #include "evaporationLedger.H"
 #include "exponentialFitted.H"
-#include "gasModel.H"
+#include "gasMixture.H"
 #include "gasPhase.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
-#include "liquidModel.H"
+#include "liquidPhase.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
 #include "particleOutput.H"
@@ -97,11 +97,11 @@ void Foam::dew::evaporate
         for (; iter < nIter && interface.change() > gasTolerance; iter++)
         {
             #include "gasRows.H"
-            interface.linearise(T, Y.get(), energy);
+            interface.linearise(T, Y, energy);
             gas.correct();
             #include "gasFluxEqn.H"
             #include "YEqn.H"
-            interface.assemble(Y.get());
+            interface.assemble(Y);
             #include "TEqn.H"
         }
         #include "checkGas.H"

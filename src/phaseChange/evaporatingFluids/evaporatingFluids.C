@@ -5,8 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "evaporatingFluids.H"
-#include "gasModel.H"
-#include "liquidModel.H"
+#include "gasMixture.H"
+#include "liquidPhase.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -42,17 +42,19 @@ Foam::volScalarField property
 
 Foam::dew::evaporatingFluids::evaporatingFluids
 (
-    const liquidModel& liquid,
-    const gasModel& gas,
+    const liquidPhase& liquid,
+    const gasMixture& gas,
+    const scalar& p0,
     const scalar rhoL,
     const volScalarField& alpha,
     const volScalarField& T,
     const volScalarField& rhoGas,
-    const volScalarField* Y
+    const speciesFields& Y
 )
 :
     liquid_(liquid),
     gas_(gas),
+    p0_(p0),
     alpha_(alpha),
     T_(T),
     rhoGas_(rhoGas),
@@ -73,8 +75,8 @@ Foam::dew::evaporatingFluids::evaporatingFluids
 
 void Foam::dew::evaporatingFluids::correct()
 {
-    const scalar p0 = gas_.p0();
-    const scalar Tboil = liquid_.Tboil(p0);
+    const scalar Tboil = liquid_.Tboil(p0_);
+    const scalarField noVapour(Y_.size(), Zero);
     const scalarField& V = T_.mesh().V();
 
     scalar mass = 0, volume = 0;
@@ -84,8 +86,9 @@ void Foam::dew::evaporatingFluids::correct()
         const scalar T = T_[celli];
 
         rho_[celli] = a*rho1_.value() + (1 - a)*rhoGas_[celli];
-        mu1_[celli] = liquid_.mu(p0, min(T, Tboil));
-        mu2_[celli] = gas_.mu(Y_ && a < 0.5 ? (*Y_)[celli] : 0, T);
+        mu1_[celli] = 
+            liquid_.liquids().mu(p0_, min(T, Tboil), liquid_.x(celli));
+        mu2_[celli] = gas_.mu(T, a < 0.5 ? Y_.cell(celli) : noVapour);
         mu_[celli] = a*mu1_[celli] + (1 - a)*mu2_[celli];
         nu_[celli] = mu_[celli]/rho_[celli];
 

@@ -7,7 +7,7 @@
 #include "evaporationLedger.H"
 #include "gasPhase.H"
 #include "interfaceTransfer.H"
-#include "liquidModel.H"
+#include "liquidPhase.H"
 #include "OSspecific.H"
 #include "surfaceMotion.H"
 #include "Time.H"
@@ -49,10 +49,10 @@ Foam::dew::evaporationLedger::evaporationLedger
     const surfaceMotion& surface,
     const interfaceTransfer& interface,
     gasPhase& gas,
-    const liquidModel& liquid,
+    const liquidPhase& liquid,
     const scalar p0,
     const volScalarField& T,
-    const volScalarField* Y
+    const speciesFields& Y
 )
 :
     mesh_(mesh),
@@ -81,7 +81,11 @@ Foam::dew::evaporationLedger::evaporationLedger
     {
         const scalarField V(surface.alpha().primitiveField()*mesh.V());
         rhoL_ =
-            liquid.rho(p0, gSum(scalarField(V*T.primitiveField()))/gSum(V));
+            liquid.liquids().rho
+            (
+                p0, gSum(scalarField(V*T.primitiveField()))/gSum(V),
+                liquid.x(0)
+            );
     }
 
     if (Pstream::master())
@@ -160,14 +164,14 @@ void Foam::dew::evaporationLedger::add
     evaporated_ += mass;
     rate_ = interface_.rate();
 
-    if (!Y_)
+    if (!Y_.solved())
     {
         return;
     }
 
     const surfaceScalarField& Gamma = gas_.GammaY();
     scalar out = 0;
-    for (const fvPatchScalarField& Yb : Y_->boundaryField())
+    for (const fvPatchScalarField& Yb : Y_[0].boundaryField())
     {
         const label patchi = Yb.patch().index();
         if
@@ -222,7 +226,7 @@ void Foam::dew::evaporationLedger::report(const scalar maxU)
     interface_.surfaceTemperature(T, least, most);
 
     Info<< "evaporated " << factor*evaporated_ << " kg";
-    if (Y_)
+    if (Y_.solved())
     {
         const scalar error = evaporated_ - stored - out_;
         Info<< " = stored " << factor*stored << " + out " << factor*out_

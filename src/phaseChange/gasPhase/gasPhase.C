@@ -7,12 +7,13 @@
 #include "gasPhase.H"
 #include "Enum.H"
 #include "fvcDiv.H"
-#include "gasModel.H"
+#include "gasMixture.H"
 #include "interfaceTransfer.H"
 #include "linear.H"
 #include "meanRhoD.H"
 #include "neighbourSum.H"
 #include "phaseRegion.H"
+#include "speciesFields.H"
 #include "Time.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -52,16 +53,18 @@ Foam::volScalarField heldField
 
 Foam::dew::gasPhase::gasPhase
 (
-    const gasModel& model,
+    const gasMixture& model,
+    const scalar& p0,
     const interfaceTransfer& interface,
     const phaseRegion& region,
     const volScalarField& T,
-    volScalarField* Y,
+    speciesFields& Y,
     const dictionary& phaseChangeProperties
 )
 :
     mesh_(T.mesh()),
     model_(model),
+    p0_(p0),
     interface_(interface),
     region_(region),
     T_(T),
@@ -121,7 +124,7 @@ void Foam::dew::gasPhase::collect()
 void Foam::dew::gasPhase::fillNew()
 {
     const boolList& gas = interface_.faces().gas();
-    volScalarField& Y = *Y_;
+    volScalarField& Y = Y_[0];
 
     scalarField known(mesh_.nCells());
     forAll(known, celli)
@@ -149,11 +152,11 @@ void Foam::dew::gasPhase::fillNew()
 
 void Foam::dew::gasPhase::correct()
 {
-    if (!Y_)
+    if (!Y_.solved())
     {
         forAll(rho_, celli)
         {
-            rho_[celli] = model_.rho(0, T_[celli]);
+            rho_[celli] = model_.rho(p0_, T_[celli], Y_.standard());
         }
         rho_.correctBoundaryConditions();
 
@@ -168,7 +171,8 @@ void Foam::dew::gasPhase::correct()
         forAll(Gamma, celli)
         {
             const scalar T = T_[celli];
-            Gamma[celli] = model_.kappa(0, T)/model_.Cp(0, T);
+            Gamma[celli] = 
+                model_.kappa(T, Y_.standard())/model_.Cp(T, Y_.standard());
         }
         Gamma.correctBoundaryConditions();
         GammaY_ =
@@ -177,14 +181,19 @@ void Foam::dew::gasPhase::correct()
         return;
     }
 
-    const volScalarField& Y = *Y_;
+    const volScalarField& Y = Y_[0];
+    const scalarField noVapour(Y_.size(), Zero);
     const boolList& gas = interface_.faces().gas();
     const surfaceScalarField& same = interface_.faces().sameGas();
     const bool stefan = interface_.law().stefanFlow();
 
     forAll(rho_, celli)
     {
-        rho_[celli] = model_.rho(gas[celli] ? Y[celli] : 0, T_[celli]);
+        rho_[celli] =
+            model_.rho
+            (
+                p0_, T_[celli], gas[celli] ? Y_.cell(celli) : noVapour
+            );
     }
     rho_.correctBoundaryConditions();
 
@@ -196,7 +205,7 @@ void Foam::dew::gasPhase::correct()
             same[facei] > 0
           ? meanRhoD
             (
-                model_, Y[own], Y[nei], 0.5*(T_[own] + T_[nei]), stefan
+                model_, p0_, Y[own], Y[nei], 0.5*(T_[own] + T_[nei]), stefan
             )
           : 0;
     }
@@ -225,8 +234,8 @@ void Foam::dew::gasPhase::correct()
                 mask[facei] > 0
               ? meanRhoD
                 (
-                    model_, Y[celli], Yb[facei], 0.5*(T_[celli] + Tb[facei]),
-                    stefan
+                    model_, p0_, Y[celli], Yb[facei],
+                    0.5*(T_[celli] + Tb[facei]), stefan
                 )
               : 0;
         }
@@ -290,8 +299,8 @@ void Foam::dew::gasPhase::store()
         const scalarField mass(rho_.primitiveField()*region_.V());
         gas_.primitiveFieldRef() = region_.giveBack(mass);
         vapour_.primitiveFieldRef() =
-            Y_
-          ? region_.giveBack(mass*Y_->primitiveField())
+            Y_.solved()
+          ? region_.giveBack(mass*Y_[0].primitiveField())
           : tmp<scalarField>(new scalarField(mesh_.nCells(), Zero));
         share_.primitiveFieldRef() = region_.giveBack(region_.V());
     }
@@ -300,7 +309,7 @@ void Foam::dew::gasPhase::store()
 
 void Foam::dew::gasPhase::move()
 {
-    if (Y_)
+    if (Y_.solved())
     {
         fillNew();
     }

@@ -5,8 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "interfaceTransfer.H"
-#include "gasModel.H"
-#include "liquidModel.H"
+#include "gasMixture.H"
+#include "liquidPhase.H"
 #include "surfaceMotion.H"
 #include "Time.H"
 #include "userEntry.H"
@@ -40,8 +40,9 @@ Foam::dew::interfaceTransfer::interfaceTransfer
 (
     const fvMesh& mesh,
     const surfaceMotion& surface,
-    const liquidModel& liquid,
-    const gasModel& gas,
+    const liquidPhase& liquid,
+    const gasMixture& gas,
+    const scalar& p0,
     const dictionary& phaseChangeProperties
 )
 :
@@ -49,12 +50,13 @@ Foam::dew::interfaceTransfer::interfaceTransfer
     surface_(surface),
     liquid_(liquid),
     gas_(gas),
+    p0_(p0),
     law_
     (
         evaporationLaw::New
         (
             userEntry::subDict(phaseChangeProperties, "evaporation"),
-            liquid,
+            liquid.liquids(),
             gas
         )
     ),
@@ -66,6 +68,7 @@ Foam::dew::interfaceTransfer::interfaceTransfer
     rate_(0),
     change_(GREAT)
 {
+    film_.Y.setSize(gas.size());
     move();
 }
 
@@ -88,7 +91,7 @@ Foam::scalar Foam::dew::interfaceTransfer::latentHeat
 ) const
 {
     // The gas may be hotter than any liquid where nothing evaporates
-    return f.N == 0 && f.dNdTs == 0 ? 0 : liquid_.hv(gas_.p0(), Ts);
+    return f.N == 0 && f.dNdTs == 0 ? 0 : liquid_.liquids().liquid(0).hv(p0_, Ts);
 }
 
 
@@ -104,8 +107,8 @@ void Foam::dew::interfaceTransfer::boils
         << "The surface of the liquid boils at time "
         << mesh_.time().timeName() << ": at "
         << mesh_.cellCentres()[face.gas] << " it would be at "
-        << film.Ts << " K, and " << liquid_.name() << " boils at "
-        << law_->TsMax() << " K at p0 = " << gas_.p0() << " Pa" << nl
+        << film.Ts << " K, and " << liquid_.liquids().names() << " boils at "
+        << law_->TsMax() << " K at p0 = " << p0_ << " Pa" << nl
         << "Boiling is not modelled: lower the temperature of the substrate"
         << " or the liquid in 0/T, raise p0 in constant/gasProperties, or"
         << " switch the energy equation on so that evaporation cools the"
@@ -117,12 +120,11 @@ void Foam::dew::interfaceTransfer::boils
 Foam::scalar Foam::dew::interfaceTransfer::findTs
 (
     const label k,
-    const gasFilm& film0
+    gasFilm& film
 ) const
 {
     // What arrives by conduction, less what evaporation takes: it falls with
     // Ts, and below the boiling point it crosses zero
-    gasFilm film(film0);
     const scalar S = faces_.faces()[k].S;
     const scalar K = KG_[k] + KL_[k];
     const scalar arriving = KG_[k]*film.T + KL_[k]*TN_[k];
@@ -200,11 +202,11 @@ void Foam::dew::interfaceTransfer::move()
 void Foam::dew::interfaceTransfer::linearise
 (
     const volScalarField& T,
-    const volScalarField* Y,
+    const speciesFields& Y,
     const bool energy
 )
 {
-    const scalar p0 = gas_.p0();
+    law_->correct(p0_);
     const auto& faces = faces_.faces();
 
     TN_ = faces_.ofLiquid(T);
@@ -228,9 +230,10 @@ void Foam::dew::interfaceTransfer::linearise
         const interfaceFace& face = faces[k];
         const scalar before = Ts_[k];
 
-        gasFilm film;
+        gasFilm& film = film_;
+        film.Y = Y.cell(face.gas);
         // An iteration may overshoot pure vapour
-        film.Y = Y ? min((*Y)[face.gas], 1 - 1e-6) : 0;
+        film.Y[0] = min(film.Y[0], 1 - 1e-6);
         film.T = T[face.gas];
         film.L = face.dG;
         film.cosine = cosine(face)*areaScale_;
@@ -244,8 +247,10 @@ void Foam::dew::interfaceTransfer::linearise
         if (energy)
         {
             const scalar Tf = 0.5*(film.T + film.Ts);
-            KG_[k] = gas_.kappa(film.Y, Tf)*face.S/face.dG;
-            KL_[k] = liquid_.kappa(p0, TN_[k])*face.S/face.dL;
+            KG_[k] = gas_.kappa(Tf, film.Y)*face.S/face.dG;
+            KL_[k] = 
+                liquid_.liquids().kappa(p0_, TN_[k], liquid_.x(0))
+               *face.S/face.dL;
 
             // A wall that gives no heat does not hold the film's temperature
             if
@@ -269,7 +274,7 @@ void Foam::dew::interfaceTransfer::linearise
 
         Ts_[k] = film.Ts;
         flux_[k] = law_->flux(film);
-        Y0_[k] = film.Y;
+        Y0_[k] = film.Y[0];
         dTsdY_[k] = 0;
         if (fixedTs > 0)
         {
@@ -277,7 +282,7 @@ void Foam::dew::interfaceTransfer::linearise
                 (
                     KG_[k]*(film.T - fixedTs) + KL_[k]*(TN_[k] - fixedTs)
                 )
-               /(liquid_.hv(p0, fixedTs)*face.S);
+               /(liquid_.liquids().liquid(0).hv(p0_, fixedTs)*face.S);
         }
         else if (energy)
         {
@@ -296,15 +301,15 @@ void Foam::dew::interfaceTransfer::linearise
 
         const scalar V = mesh_.V()[face.gas];
         const filmFlux& f = flux_[k];
-        Su[face.gas] += (f.N - f.dNdY*film.Y)*face.S/V;
+        Su[face.gas] += (f.N - f.dNdY*film.Y[0])*face.S/V;
         Sp[face.gas] -= f.dNdY*face.S/V;
-        N0_[k] = f.N - f.dNdY*film.Y;
+        N0_[k] = f.N - f.dNdY*film.Y[0];
     }
     reduce(change_, maxOp<scalar>());
 }
 
 
-void Foam::dew::interfaceTransfer::assemble(const volScalarField* Y)
+void Foam::dew::interfaceTransfer::assemble(const speciesFields& Y)
 {
     const auto& faces = faces_.faces();
 
@@ -314,17 +319,17 @@ void Foam::dew::interfaceTransfer::assemble(const volScalarField* Y)
     {
         const interfaceFace& face = faces[k];
         const scalar before = N_[k];
-        N_[k] = N0_[k] + (Y ? flux_[k].dNdY*(*Y)[face.gas] : 0);
-        if (Y)
+        N_[k] = N0_[k] + (Y.solved() ? flux_[k].dNdY*Y[0][face.gas] : 0);
+        if (Y.solved())
         {
             // Far from the solution the tangent may leave what a liquid can be
-            const scalar Ts = Ts_[k] + dTsdY_[k]*((*Y)[face.gas] - Y0_[k]);
+            const scalar Ts = Ts_[k] + dTsdY_[k]*(Y[0][face.gas] - Y0_[k]);
             const scalar highest = max(Ts_[k], 0.9999*law_->TsMax());
             Ts_[k] = max(min(Ts, highest), 0.5*Ts_[k]);
         }
         rate_ += N_[k]*face.S;
         most += mag(flux_[k].N)*face.S;
-        moved += mag(N_[k] - (Y ? flux_[k].N : before))*face.S;
+        moved += mag(N_[k] - (Y.solved() ? flux_[k].N : before))*face.S;
     }
     reduce(rate_, sumOp<scalar>());
     reduce(most, sumOp<scalar>());

@@ -8,8 +8,8 @@
 
 #include "interfaceTransfer.H"
 #include "bitSet.H"
-#include "gasModel.H"
-#include "liquidModel.H"
+#include "gasMixture.H"
+#include "liquidPhase.H"
 #include "neighbourSum.H"
 #include "surfaceMotion.H"
 #include "syncTools.H"
@@ -24,7 +24,6 @@ void Foam::dew::interfaceTransfer::heat
     surfaceScalarField& kappaf
 ) const
 {
-    const scalar p0 = gas_.p0();
     const auto& faces = faces_.faces();
     const surfaceScalarField& delta = mesh_.nonOrthDeltaCoeffs();
 
@@ -59,9 +58,9 @@ void Foam::dew::interfaceTransfer::heat
             );
 
         // Vapour enters the gas, and liquid leaves, at Ts
-        const scalar toGas = max(N_[k], scalar(0))*face.S*gas_.CpVapour(Ts_[k]);
+        const scalar toGas = max(N_[k], scalar(0))*face.S*gas_.CpVapour(0, Ts_[k]);
         const scalar toLiquid =
-            max(-N_[k], scalar(0))*face.S*liquid_.Cp(p0, Ts_[k]);
+            max(-N_[k], scalar(0))*face.S*liquid_.liquids().Cp(p0_, Ts_[k], liquid_.x(0));
 
         const scalar V = mesh_.V()[face.gas];
         Su[face.gas] += (KG_[k]*gives + toGas*Ts_[k])/V;

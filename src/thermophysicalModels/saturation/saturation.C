@@ -32,19 +32,6 @@ void check(const Foam::scalar RH, const Foam::dew::liquidModel& liquid)
 Foam::scalar Foam::dew::saturation::Yinf
 (
     const liquidModel& liquid,
-    const gasModel& gas,
-    const scalar RH,
-    const scalar T
-)
-{
-    check(RH, liquid);
-    return gas.Y(RH*xs(liquid, gas, T));
-}
-
-
-Foam::scalar Foam::dew::saturation::Yinf
-(
-    const liquidModel& liquid,
     const gasMixture& gas,
     const scalar RH,
     const scalar p,

@@ -7,8 +7,7 @@
 #include "HardtWondra.H"
 #include "addToRunTimeSelectionTable.H"
 #include "gasConstant.H"
-#include "gasModel.H"
-#include "liquidModel.H"
+#include "gasMixture.H"
 #include "mathematicalConstants.H"
 #include "userEntry.H"
 
@@ -32,35 +31,34 @@ namespace evaporationLaws
 Foam::dew::evaporationLaws::HardtWondra::HardtWondra
 (
     const dictionary& dict,
-    const liquidModel& liquid,
-    const gasModel& gas
+    const liquidMixture& liquids,
+    const gasMixture& gas
 )
 :
-    liquid_(liquid),
-    p0_(gas.p0()),
-    Tsat_(liquid.Tboil(p0_)),
-    h_
-    (
-        [&]
-        {
-            const scalar C =
-                userEntry::within(dict, "accommodation", SMALL, 1);
-            const scalar hv = liquid.hv(p0_, Tsat_);
-            return
-                2*C/(2 - C)*hv*hv*gas.rho(0, Tsat_)/pow(Tsat_, 1.5)
-               *sqrt
-                (
-                    liquid.W()
-                   /(constant::mathematical::twoPi*gasConstant)
-                );
-        }()
-    )
+    liquids_(liquids),
+    gas_(gas),
+    C_(userEntry::within(dict, "accommodation", SMALL, 1))
 {
     userEntry::onlyThese(dict, {"type", "accommodation"});
+    pureLiquid(dict, liquids);
+    correct(gas.p0());
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::evaporationLaws::HardtWondra::correct(const scalar p)
+{
+    const liquidModel& liquid = liquids_.liquid(0);
+    const scalarField noVapour(1, Zero);
+    p_ = p;
+    Tsat_ = liquid.Tboil(p);
+    const scalar hv = liquid.hv(p, Tsat_);
+    h_ =
+        2*C_/(2 - C_)*hv*hv*gas_.rho(p, Tsat_, noVapour)/pow(Tsat_, 1.5)
+       *sqrt(liquid.W()/(constant::mathematical::twoPi*gasConstant));
+}
+
 
 Foam::dew::filmFlux Foam::dew::evaporationLaws::HardtWondra::flux
 (
@@ -68,7 +66,7 @@ Foam::dew::filmFlux Foam::dew::evaporationLaws::HardtWondra::flux
 ) const
 {
     filmFlux f;
-    f.dNdTs = h_/liquid_.hv(p0_, Tsat_)*film.cosine;
+    f.dNdTs = h_/liquids_.liquid(0).hv(p_, Tsat_)*film.cosine;
     f.N = f.dNdTs*(film.Ts - Tsat_);
     return f;
 }

@@ -6,8 +6,7 @@
 
 #include "diffusion.H"
 #include "addToRunTimeSelectionTable.H"
-#include "gasModel.H"
-#include "liquidModel.H"
+#include "gasMixture.H"
 #include "saturation.H"
 #include "stefanFlux.H"
 #include "Switch.H"
@@ -33,21 +32,29 @@ namespace evaporationLaws
 Foam::dew::evaporationLaws::diffusion::diffusion
 (
     const dictionary& dict,
-    const liquidModel& liquid,
-    const gasModel& gas
+    const liquidMixture& liquids,
+    const gasMixture& gas
 )
 :
-    liquid_(liquid),
+    liquids_(liquids),
     gas_(gas),
-    stefanFlow_(dict.getOrDefault<Switch>("stefanFlow", true)),
-    TsMax_(liquid.Tboil(gas.p0()))
+    stefanFlow_(dict.getOrDefault<Switch>("stefanFlow", true))
 {
+    correct(gas.p0());
     userEntry::onlyThese(dict, {"type", "stefanFlow"});
+    pureLiquid(dict, liquids);
 }
 
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::evaporationLaws::diffusion::correct(const scalar p)
+{
+    p_ = p;
+    TsMax_ = liquids_.liquid(0).Tboil(p);
+}
+
 
 Foam::dew::filmFlux Foam::dew::evaporationLaws::diffusion::flux
 (
@@ -57,25 +64,27 @@ Foam::dew::filmFlux Foam::dew::evaporationLaws::diffusion::flux
     // Differences of the properties over the film are of second order
     const scalar Tf = 0.5*(film.T + film.Ts);
 
-    const scalar xs = saturation::xs(liquid_, gas_, film.Ts);
-    const scalar dxsdT = saturation::dxsdT(liquid_, gas_, film.Ts);
+    const liquidModel& liquid = liquids_.liquid(0);
+    const scalar Y = film.Y[0];
+    const scalar xs = saturation::xs(liquid, p_, film.Ts);
+    const scalar dxsdT = saturation::dxsdT(liquid, p_, film.Ts);
 
     // Fractions, derivatives by Y and T, and conductance in the form that is
     // exact for the gas
     const bool mass = gas_.uniformDensity();
-    const scalar y = mass ? film.Y : gas_.x(film.Y);
+    const scalar y = mass ? Y : gas_.x(Y);
     const scalar ys = mass ? gas_.Y(xs) : xs;
-    const scalar dydY = mass ? 1 : gas_.dxdY(film.Y);
+    const scalar dydY = mass ? 1 : gas_.dxdY(Y);
     const scalar dysdT = mass ? gas_.dYdx(xs)*dxsdT : dxsdT;
     const scalar g =
         mass
       ? stefanFlux::massConductance
         (
-            gas_.rho(film.Y, Tf), gas_.D(Tf), film.L
+            gas_.rho(p_, Tf, film.Y), gas_.DY(0, p_, Tf, film.Y), film.L
         )
       : stefanFlux::moleConductance
         (
-            gas_.p0(), Tf, gas_.D(Tf), film.L, gas_.Wv()
+            p_, Tf, gas_.DY(0, p_, Tf, film.Y), film.L, gas_.W(0)
         );
 
     filmFlux f;

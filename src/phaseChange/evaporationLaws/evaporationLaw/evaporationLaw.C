@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "evaporationLaw.H"
+#include "liquidMixture.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -15,6 +16,26 @@ namespace dew
     defineTypeNameAndDebug(evaporationLaw, 0);
     defineRunTimeSelectionTable(evaporationLaw, dictionary);
 }
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::evaporationLaw::pureLiquid
+(
+    const dictionary& dict,
+    const liquidMixture& liquids
+)
+{
+    if (liquids.size() != 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Evaporation by " << dict.get<word>("type") << " is that of a"
+            << " liquid in its pure vapour, and constant/liquidProperties has "
+            << liquids.names() << nl
+            << "Give one liquid, or use 'evaporation { type diffusion; }'"
+            << exit(FatalIOError);
+    }
 }
 
 

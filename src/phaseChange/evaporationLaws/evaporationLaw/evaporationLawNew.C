@@ -13,14 +13,14 @@ Foam::autoPtr<Foam::dew::evaporationLaw>
 Foam::dew::evaporationLaw::New
 (
     const dictionary& dict,
-    const liquidModel& liquid,
-    const gasModel& gas
+    const liquidMixture& liquids,
+    const gasMixture& gas
 )
 {
     return selectVariant<evaporationLaw>
     (
         dict, "type", "evaporation"
-    )(dict, liquid, gas);
+    )(dict, liquids, gas);
 }
 
 

@@ -28,13 +28,14 @@ namespace evaporationLaws
 Foam::dew::evaporationLaws::fixedFlux::fixedFlux
 (
     const dictionary& dict,
-    const liquidModel&,
-    const gasModel&
+    const liquidMixture& liquids,
+    const gasMixture&
 )
 :
     J_(userEntry::number(dict, "flux", dimMass/dimArea/dimTime))
 {
     userEntry::onlyThese(dict, {"type", "flux"});
+    pureLiquid(dict, liquids);
 }
 
 

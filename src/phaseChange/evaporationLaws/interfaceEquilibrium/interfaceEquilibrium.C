@@ -6,8 +6,7 @@
 
 #include "interfaceEquilibrium.H"
 #include "addToRunTimeSelectionTable.H"
-#include "gasModel.H"
-#include "liquidModel.H"
+#include "gasMixture.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -30,18 +29,20 @@ namespace evaporationLaws
 Foam::dew::evaporationLaws::interfaceEquilibrium::interfaceEquilibrium
 (
     const dictionary& dict,
-    const liquidModel& liquid,
-    const gasModel& gas
+    const liquidMixture& liquids,
+    const gasMixture& gas
 )
 :
-    Tsat_(liquid.Tboil(gas.p0()))
+    liquids_(liquids)
 {
     userEntry::onlyThese(dict, {"type"});
+    pureLiquid(dict, liquids);
+    correct(gas.p0());
     if (!(Tsat_ < 0.1*GREAT))
     {
         FatalIOErrorInFunction(dict)
             << "interfaceEquilibrium holds the surface at the boiling point of "
-            << liquid.name() << ", and that has none" << nl
+            << liquids.names()[0] << ", and that has none" << nl
             << "Give Tboil and pBoil in constant/liquidProperties"
             << exit(FatalIOError);
     }
@@ -49,6 +50,12 @@ Foam::dew::evaporationLaws::interfaceEquilibrium::interfaceEquilibrium
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::evaporationLaws::interfaceEquilibrium::correct(const scalar p)
+{
+    Tsat_ = liquids_.liquid(0).Tboil(p);
+}
+
 
 Foam::dew::filmFlux Foam::dew::evaporationLaws::interfaceEquilibrium::flux
 (

@@ -28,8 +28,8 @@ namespace evaporationLaws
 Foam::dew::evaporationLaws::noEvaporation::noEvaporation
 (
     const dictionary& dict,
-    const liquidModel&,
-    const gasModel&
+    const liquidMixture&,
+    const gasMixture&
 )
 {
     userEntry::onlyThese(dict, {"type"});
