@@ -45,6 +45,7 @@ Description
 #include "fromFaces.H"
 #include "gasMixture.H"
 #include "gasPhase.H"
+#include "gasPressure.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
 #include "linearGradient.H"
@@ -137,6 +138,7 @@ void Foam::dew::evaporate
         for (; iter < nIter && interface.change() > gasTolerance; iter++)
         {
             #include "gasRows.H"
+            pressure.correct(gas, interface.rate());
             interface.linearise(T, Y, energy);
             gas.correct();
             #include "gasFluxEqn.H"
@@ -190,6 +192,7 @@ void Foam::dew::evaporate
 
         #include "surfaceReport.H"
         ledger.report(gMax(mag(U.primitiveField())));
+        pressure.report();
         exchange.report();
         runTime.write();
         report.print();

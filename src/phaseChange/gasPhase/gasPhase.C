@@ -351,6 +351,18 @@ Foam::scalar Foam::dew::gasPhase::held() const
 }
 
 
+Foam::scalar Foam::dew::gasPhase::heldGas() const
+{
+    return transient_ ? gSum(gas_.primitiveField()*mesh_.V()) : 0;
+}
+
+
+Foam::scalar Foam::dew::gasPhase::mass() const
+{
+    return gSum(scalarField(rho_.primitiveField()*region_.V()));
+}
+
+
 Foam::tmp<Foam::volScalarField::Internal> Foam::dew::gasPhase::expansion
 (
     const surfaceScalarField& phiG

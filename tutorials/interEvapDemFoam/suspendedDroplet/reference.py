@@ -4,6 +4,7 @@
 Usage: reference.py -list       # the runs of this tutorial
        reference.py RUN         # its conditions, as system/drop of the case
        reference.py -table      # wet bulb and K of all runs
+       reference.py -life       # of the run hot: a line for each of 100 times
 
 Nothing of DEW is used. In steady air the flow q = mDot/(4 pi R) [kg/m/s] of the vapour through all spheres gives
 
@@ -13,6 +14,9 @@ exact for vapour in air that does not move, with rho, D, kappa of the place; K =
 properties, and one heat capacity,
 
     q = rho D ln(1 + BM) = kappa/Cp ln(1 + BT),  BM = (Ys - Yinf)/(1 - Ys),  BT = Cp (Tinf - Ts)/hv
+
+The life of the hot drop is transient: vapour and heat in the gas, heat in the liquid, radial cells that shrink with the
+drop (finite volumes, methods of lines), with one simplification: the flow of the gas is q at all radii.
 
 Properties: IAPWS (density of water; conductivity and viscosity of steam), DIPPR (its saturation, heat of vaporisation,
 heat capacity, conductivity), JANAF (heat capacity of steam), U.S. Standard Atmosphere and Kyle (air), mixtures by
@@ -136,6 +140,84 @@ def constant(T_far, Y_far):
     return Ts, flows(Ts)[0]
 
 
+class Life:
+    """Of a drop in dry air: times t [s], (d/d0)^2, surface [K] and speed of the vapour at the surface [m/s]"""
+
+    def __init__(self, R, T_far, density, n=90, liquid=20, far=300.0):
+        self.T_far, self.density = T_far, density
+        self.faces = 1 + (far - 1)*(np.geomspace(1, 3e4, n + 1) - 1)/(3e4 - 1)
+        self.x = (self.faces[1:] + self.faces[:-1])/2
+        self.inner = np.linspace(0, 1, liquid + 1)
+        self.xl = (self.inner[1:] + self.inner[:-1])/2
+        self.n, self.liquid = n, liquid
+        start = np.concatenate([np.zeros(n), np.full(n + liquid, T_far), [R]])
+        stop = lambda _, y: y[-1] - 0.15*R                          # noqa: E731
+        stop.terminal = True
+        found = solve_ivp(self.slopes, (0, 1e3), start, method='BDF', events=stop, rtol=1e-5,
+                          atol=np.concatenate([np.full(n, 1e-8), np.full(n + liquid, 1e-4), [1e-6*R]]))
+        self.t, self.d2 = found.t, (found.y[-1]/R)**2
+        surface = [self.surface(y) for y in found.y.T]
+        self.Ts = np.array([Ts for Ts, _ in surface])
+        self.speed = np.array([m for _, m in surface])/rho(mass(p_sat(self.Ts)/P0), self.Ts)
+
+    def surface(self, y):
+        """Temperature and what evaporates [kg/m2/s], by the balance of heat"""
+        Y, T, Tl, R = y[0], y[self.n], y[-2], y[-1]
+        gas, liquid = R*(1 - 1/self.x[0]), R*(1 - self.xl[-1])
+
+        def flux(Ts):
+            Ys = mass(p_sat(Ts)/P0)
+            return rho((Y + Ys)/2, (T + Ts)/2)*diffusivity((T + Ts)/2)*np.log1p((Ys - Y)/(1 - Ys))/gas
+
+        def excess(Ts):
+            Ys = mass(p_sat(Ts)/P0)
+            return (kappa((Y + Ys)/2, (T + Ts)/2)*(T - Ts)/gas + kappa_liquid(Tl)*(Tl - Ts)/liquid
+                    - flux(Ts)*latent(Ts))
+        Ts = Tl
+        for _ in range(6):
+            e = excess(Ts)
+            Ts -= e*1e-3/(excess(Ts + 1e-3) - e)
+        return Ts, flux(Ts)
+
+    def slopes(self, _, y):
+        n, x = self.n, self.x
+        Y, T, Tl, R = y[:n], y[n:2*n], y[2*n:-1], y[-1]
+        Ts, m = self.surface(y)
+        Ys = mass(p_sat(Ts)/P0)
+        dR = -m/self.density
+
+        # Values on and between the surface, the cells and the far end; gradients of 1/x
+        values = [np.concatenate([[s], f, [end]]) for s, f, end in ((Ys, Y, 0.0), (Ts, T, self.T_far))]
+        at = np.concatenate([[1.0], x, [self.faces[-1]]])
+        Yf, Tf = ((v[1:] + v[:-1])/2 for v in values)
+        dY, dT = (np.diff(v)/(1/at[:-1] - 1/at[1:])/R for v in values)      # x^2 d/dr
+        j = -rho(Yf, Tf)*diffusivity(Tf)*dY                                 # x^2 times the flux
+        heat = -kappa(Yf, Tf)*dT
+        volume = (self.faces[1:]**3 - self.faces[:-1]**3)/3*R
+        density = rho(Y, T)
+        cp = Y*cp_steam(T) + (1 - Y)*cp_air(T)
+
+        # Advection not in the form of fluxes: as what it carries over, less what it has
+        flow = np.full(n + 1, m)
+        capacity = flow*(Yf*cp_steam(Tf) + (1 - Yf)*cp_air(Tf)) + j*(cp_steam(Tf) - cp_air(Tf))
+
+        def carried(flux, face, cell):
+            return flux[1:]*(face[1:] - cell) - flux[:-1]*(face[:-1] - cell)
+        faceY, faceT = (np.concatenate([[s], np.interp(self.faces[1:-1], x, f), [end]])
+                        for s, f, end in ((Ys, Y, 0.0), (Ts, T, self.T_far)))
+        move = x*dR/R
+        rateY = -(np.diff(j) + carried(flow, faceY, Y))/(density*volume) + move*np.gradient(Y, x)
+        rateT = -(np.diff(heat) + carried(capacity, faceT, T))/(density*cp*volume) + move*np.gradient(T, x)
+
+        k, c = kappa_liquid(Tl), self.density*cp_liquid(Tl)
+        inner = np.zeros(self.liquid + 1)
+        inner[1:-1] = -(k[1:] + k[:-1])/2*np.diff(Tl)/np.diff(self.xl)/R
+        inner[-1] = -k[-1]*(Ts - Tl[-1])/(1 - self.xl[-1])/R
+        shells = (self.inner[1:]**3 - self.inner[:-1]**3)/3*R
+        rateL = -np.diff(self.inner**2*inner)/(c*shells) + self.xl*dR/R*np.gradient(Tl, self.xl)
+        return np.concatenate([rateY, rateT, rateL, [dR]])
+
+
 def runs():
     """Name -> set of properties, temperature and vapour far away, radius"""
     table = {}
@@ -174,6 +256,10 @@ def main():
     elif argument == '-table':
         for run in runs():
             print('{:18} wet bulb {:.3f} K, K {:.5e} m2/s, liquid {:.2f} kg/m3'.format(run, *wet_bulb(run)))
+    elif argument == '-life':
+        life = Life(HOT_RADIUS, HOT, wet_bulb('hot')[2])
+        for t in np.linspace(0, life.t[-1], 101):
+            print(*(f'{v:.8g}' for v in (t, *(np.interp(t, life.t, f) for f in (life.d2, life.Ts, life.speed)))))
     elif argument in runs():
         conditions(argument)
     else:
