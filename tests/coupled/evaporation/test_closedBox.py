@@ -75,7 +75,7 @@ def test_restart_and_ranks(tmp_path):
         logs.append(case.pressures(case.go(ranks))[0])
     assert logs[1] == pytest.approx(logs[0], rel=1e-9)
 
-    case = SealedBox(tmp_path / 'one', startTime=0.1, endTime=0.2)
+    case = SealedBox(tmp_path / 'one', startFrom='startTime', startTime=0.1, endTime=0.2)
     case.write_dict('system/controlDict', case.control)
     assert case.pressures(case.go())[0] == pytest.approx(logs[0][5:], rel=1e-9)
 
