@@ -46,6 +46,7 @@ Description
 #include "fromFaces.H"
 #include "gasMixture.H"
 #include "gasPhase.H"
+#include "gasPressure.H"
 #include "handOver.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
@@ -143,6 +144,7 @@ Foam::dictionary Foam::dew::evaporate
         for (; iter < nIter && interface.change() > gasTolerance; iter++)
         {
             #include "gasRows.H"
+            pressure.correct(gas, interface.rate());
             interface.linearise(T, Y, energy);
             gas.correct();
             #include "gasFluxEqn.H"
@@ -198,6 +200,7 @@ Foam::dictionary Foam::dew::evaporate
 
         #include "surfaceReport.H"
         ledger.report(gMax(mag(U.primitiveField())));
+        pressure.report();
         exchange.report();
 
         if (thin.due())
