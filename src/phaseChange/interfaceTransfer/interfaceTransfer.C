@@ -289,10 +289,9 @@ void Foam::dew::interfaceTransfer::linearise
             dTsdY_[k] = -hvS*f.dNdY/sum;
             f.dNdY *= K/sum;
         }
-        if (before > 0)
-        {
-            change_ = max(change_, mag(Ts_[k] - before)/Ts_[k]);
-        }
+        // The first time nothing is known to have come to rest
+        change_ =
+            max(change_, before > 0 ? mag(Ts_[k] - before)/Ts_[k] : 1);
 
         const scalar V = mesh_.V()[face.gas];
         const filmFlux& f = flux_[k];
