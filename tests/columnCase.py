@@ -66,7 +66,7 @@ class Sucking:
             s = b * self.ratio * self.stretch
             return b - dT * g['Cp'] * l['k'] * sqrt(self.a) * exp(-s * s) / (
                 g['hv'] * g['k'] * sqrt(pi * self.aL) * erfc(s))
-        self.growth = root(excess, 1e-9, 5)
+        self.growth = root(excess, -5, 5)
 
     def x(self, t):
         return 2 * self.growth * np.sqrt(self.a * t)

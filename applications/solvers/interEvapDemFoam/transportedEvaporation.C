@@ -104,6 +104,7 @@ void Foam::dew::evaporate
     {
         #include "readTimeControls.H"
         #include "CourantNo.H"
+        #include "limitRecession.H"
         #include "setTwoFluidDeltaT.H"
         #include "checkViscous.H"
 
