@@ -50,6 +50,7 @@ Description
 #include "linearGradient.H"
 #include "liquidModel.H"
 #include "meshSymmetry.H"
+#include "neighbourSum.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
 #include "particleOutput.H"
