@@ -54,6 +54,7 @@ Description
 #include "liquidPhase.H"
 #include "liquidSpecies.H"
 #include "meshSymmetry.H"
+#include "neighbourSum.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
 #include "particleOutput.H"
@@ -111,6 +112,7 @@ Foam::dictionary Foam::dew::evaporate
     {
         #include "readTimeControls.H"
         #include "CourantNo.H"
+        #include "limitRecession.H"
         #include "setTwoFluidDeltaT.H"
         #include "checkViscous.H"
 
