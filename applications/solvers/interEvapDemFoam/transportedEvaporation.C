@@ -152,9 +152,10 @@ void Foam::dew::evaporate
         interface.distribute();
         leaving.primitiveFieldRef() =
             interface.mDot().field()*runTime.deltaTValue();
+        #include "lastRemnant.H"
         ledger.add
         (
-            interface.rate()*runTime.deltaTValue()/rhoL,
+            interface.rate()*runTime.deltaTValue()/rhoL + remnant,
             runTime.deltaTValue(),
             phiG
         );

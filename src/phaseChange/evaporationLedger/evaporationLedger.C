@@ -203,6 +203,10 @@ void Foam::dew::evaporationLedger::giveBack(const scalar unmet)
 {
     const scalar mass = unmet*rhoL_;
     evaporated_ -= mass;
+    if (!Y_)
+    {
+        return;
+    }
     if (gas_.isTransient())
     {
         gas_.add(-mass);
