@@ -161,9 +161,10 @@ Foam::dictionary Foam::dew::evaporate
         interface.distribute();
         leaving.primitiveFieldRef() =
             interface.mDot().field()*runTime.deltaTValue();
+        #include "lastRemnant.H"
         ledger.add
         (
-            interface.rate()*runTime.deltaTValue()/rhoL,
+            interface.rate()*runTime.deltaTValue()/rhoL + remnant,
             runTime.deltaTValue(),
             phiG,
             liquidSpecies
