@@ -105,7 +105,7 @@ void Foam::dew::evaporate
             #include "gasFluxEqn.H"
             #include "YEqn.H"
             interface.assemble(Y);
-            liquidSpecies.solve(phiL, T, p0);
+            liquidSpecies.solve(phiL, T, p0, false);
             #include "TEqn.H"
         }
         #include "checkGas.H"

@@ -86,7 +86,7 @@ Foam::dew::interfaceTransfer::interfaceTransfer
         scalarField* f
       : {
             &film_.Y, &film_.X, &film_.gL, &flux_.N, &flux_.dNdY, &flux_.dNdTs,
-            &flux_.Xs
+            &flux_.dNdX, &flux_.Xs
         }
     )
     {
@@ -156,6 +156,7 @@ void Foam::dew::interfaceTransfer::keep(const label k, const bool heat)
         Y0_[ki] = Y;
         N0_[ki] = flux_.N[i] - dNdY*Y;
         Xs_[ki] = flux_.Xs[i];
+        dNdX_[ki] = flux_.dNdX[i];
         vapourSu_[i][face.gas] += N0_[ki]*face.S/V;
         vapourSp_[i][face.gas] -= dNdY*face.S/V;
     }
@@ -243,7 +244,7 @@ void Foam::dew::interfaceTransfer::move()
     KG_.setSize(n);
     KL_.setSize(n);
     total_.setSize(n);
-    for (scalarField* f : {&dTsdY_, &Y0_, &dNdY_, &dNdTs_, &N0_, &N_, &Xs_})
+    for (scalarField* f : {&dTsdY_, &Y0_, &dNdY_, &dNdTs_, &dNdX_, &N0_, &N_, &Xs_})
     {
         f->setSize(n*size());
         *f = 0;

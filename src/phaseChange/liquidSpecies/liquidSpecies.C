@@ -75,6 +75,10 @@ Foam::dew::liquidSpecies::liquidSpecies
         start();
     }
     move();
+    if (uniform_)
+    {
+        solveUniform(0, true);
+    }
 }
 
 
@@ -116,38 +120,61 @@ void Foam::dew::liquidSpecies::start()
 Foam::tmp<Foam::scalarField> Foam::dew::liquidSpecies::loss
 (
     const label i,
-    const scalar dt
+    const scalar dt,
+    scalarField& slope
 ) const
 {
     const auto& faces = interface_.faces().faces();
-    scalarField through(faces.size());
+    scalarField through(faces.size()), slopes(faces.size());
     scalar walls = 0;
     forAll(faces, k)
     {
         through[k] = interface_.through(k, i)*dt;
+        slopes[k] = interface_.slope(k, i)*dt;
         walls += faces[k].wall ? through[k] : 0;
     }
     reduce(walls, sumOp<scalar>());
     tmp<scalarField> tloss(new scalarField(mesh_.nCells(), Zero));
     interface_.faces().toLiquid(through, tloss.ref());
+    slope.setSize(mesh_.nCells());
+    slope = 0;
+    interface_.faces().toLiquid(slopes, slope);
     tloss.ref() += walls*before_/gSum(before_);
     return tloss;
 }
 
 
-void Foam::dew::liquidSpecies::solveUniform(const scalar dt)
+void Foam::dew::liquidSpecies::solveUniform
+(
+    const scalar dt,
+    const bool last
+)
 {
-    scalar all = 0;
-    forAll(mass_, i)
+    scalarField X(mass_.size());
+    forAll(X, i)
     {
         massAfter_[i] = mass_[i] - interface_.rate(i)*dt;
-        all += massAfter_[i];
-    }
-    forAll(mass_, i)
-    {
+        scalar slope = 0;
+        for (label k = 0; k < interface_.faces().faces().size() && !last; k++)
+        {
+            slope += interface_.slope(k, i)*dt;
+        }
+        reduce(slope, sumOp<scalar>());
+
+        // In the liquid all cells have the same, in the gas, too
+        const scalar before = gMax(liquid_.X()[i].primitiveField());
+        const scalar all = sum(mass_) - interface_.rate()*dt;
+
         // A last step takes more than there is
-        liquid_.X()[i].primitiveFieldRef() =
-            all > 0 ? max(massAfter_[i], scalar(0))/all : 0;
+        X[i] =
+            all + slope > 0
+          ? max(massAfter_[i] + slope*before, scalar(0))/(all + slope)
+          : before;
+    }
+    X /= max(sum(X), SMALL);
+    forAll(X, i)
+    {
+        liquid_.X()[i].primitiveFieldRef() = X[i];
         liquid_.X()[i].correctBoundaryConditions();
     }
 }
@@ -159,7 +186,8 @@ void Foam::dew::liquidSpecies::solve
 (
     const surfaceScalarField& phiL,
     const volScalarField& T,
-    const scalar p
+    const scalar p,
+    const bool last
 )
 {
     if (!several())
@@ -168,10 +196,10 @@ void Foam::dew::liquidSpecies::solve
     }
     if (uniform_)
     {
-        solveUniform(mesh_.time().deltaTValue());
+        solveUniform(mesh_.time().deltaTValue(), last);
         return;
     }
-    solveCells(flux(phiL)(), T, p);
+    solveCells(flux(phiL)(), T, p, last);
 }
 
 

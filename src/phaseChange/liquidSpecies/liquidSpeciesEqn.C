@@ -72,7 +72,8 @@ void Foam::dew::liquidSpecies::solveCells
 (
     const surfaceScalarField& F,
     const volScalarField& T,
-    const scalar p
+    const scalar p,
+    const bool last
 )
 {
     const interfaceFaces& faces = interface_.faces();
@@ -83,10 +84,10 @@ void Foam::dew::liquidSpecies::solveCells
     // What the flux and the surface leave
     const scalarField divF(fvc::div(F)().primitiveField());
     after_ = before_ - dt*divF*mesh_.V();
-    List<scalarField> losses(held_.size());
+    List<scalarField> losses(held_.size()), slopes(held_.size());
     forAll(held_, i)
     {
-        losses[i] = loss(i, dt);
+        losses[i] = loss(i, dt, slopes[i]);
         after_ -= losses[i];
     }
 
@@ -140,11 +141,15 @@ void Foam::dew::liquidSpecies::solveCells
         {
             const scalar rate = 1/(mesh_.V()[celli]*dt);
             const bool gas = faces.gas()[celli];
-            Sp[celli] = gas ? rhoL_/dt : after_[celli]*rate;
+            const scalar slope = last ? 0 : slopes[i][celli];
+            Sp[celli] = gas ? rhoL_/dt : (after_[celli] + slope)*rate;
             Su[celli] =
                 gas
               ? rhoL_/dt*mean
-              : (content_[i][celli] - losses[i][celli])*rate;
+              : (
+                    content_[i][celli] - losses[i][celli]
+                  + slope*X[i][celli]
+                )*rate;
         }
         fvScalarMatrix eqn
         (

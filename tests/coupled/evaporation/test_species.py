@@ -88,4 +88,73 @@ def test_two_ideal_liquids_well_mixed(tmp_path, film):
     b = 1 - table.evaporated_b / (0.6 * start)
     assert b[-1] < 0.8
     alpha = 1.19e-5 * 7870 / (2.5e-5 * 3169)
-    assert a == pytest.approx(b**alpha, rel=0.01)
+    seen = a > 0.05
+    assert a[seen] == pytest.approx(b[seen]**alpha, rel=0.01)
+
+
+def spirit(path, names=('ethanol', 'water'), **keywords):
+    """Ethanol and water with the data of the library, not ideal, with heat and a gas that stores."""
+    X = {'ethanol': 0.3, 'water': 0.7}
+    case = SpeciesCase(path, {name: {'type': 'library'} for name in names}, {name: X[name] for name in names},
+                       **{'deltaT': 0.05, 'endTime': 0.4, **keywords})
+    case.liquid.update(diffusivity={'type': 'WilkeChang'}, equilibrium={'activity': {'type': 'UNIFAC'}})
+    case.gas = {'type': 'idealGas', 'p0': 101325, 'carrier': {'type': 'air'}, 'diffusivity': {'type': 'Fuller'}}
+    case.change.update(energy=True, gas='transient')
+    return case
+
+
+def test_order_does_not_matter(tmp_path):
+    """To the tolerance of the iterations, 1e-11, in quotients of differences: ten digits are written."""
+    tables = []
+    for names in (('ethanol', 'water'), ('water', 'ethanol')):
+        case = spirit(tmp_path / names[0], names)
+        case.prepare()
+        assert balances(case, case.go()).max() < 1e-10
+        tables.append(case.ledger())
+    for name in ('evaporated', 'evaporated_ethanol', 'evaporated_water', 'stored_ethanol', 'Tsurface'):
+        assert tables[0][name] == pytest.approx(tables[1][name], rel=1e-7), name
+    # Ethanol goes first
+    assert (tables[0].evaporated_ethanol > 0.5 * tables[0].evaporated_water).all()
+
+
+def test_ranks_and_restart(tmp_path):
+    """Both to the tolerance of the iterations over the steps."""
+    one = spirit(tmp_path / 'one')
+    one.prepare()
+    one.go()
+    table = one.ledger()
+
+    two = spirit(tmp_path / 'two')
+    two.prepare()
+    two.decompose(2)
+    assert balances(two, two.go(ranks=2)).max() < 1e-10
+    halves = spirit(tmp_path / 'halves', endTime=0.2, writeInterval=4)
+    halves.prepare()
+    halves.go()
+    halves.control.update(endTime=0.4, startFrom='latestTime')
+    halves.write()
+    assert balances(halves, halves.go()).max() < 1e-10
+    for other in (two.ledger(), halves.ledger('0.2')):
+        for name in ('evaporated', 'evaporated_ethanol', 'evaporated_water', 'stored_ethanol', 'Tsurface'):
+            assert table[name][-len(other):] == pytest.approx(other[name], rel=1e-6), name
+
+
+BAD = {
+    'unknown': (lambda case: case.liquid['liquids'].update(brandy={'type': 'library'}), 'brandy'),
+    'missingY': (lambda case: case.Y_far.pop('water'), 'Y.water'),
+    'missingX': (lambda case: case.X.pop('water'), 'X.water'),
+    'sum': (lambda case: case.X.update(water=0.6), 'do not add up'),
+    'negative': (lambda case: case.X.update(water=-0.1), 'between 0 and 1'),
+    'mixing': (lambda case: case.change.update(liquid={'mixing': 'shaken'}), 'shaken'),
+    'pure': (lambda case: case.change.update(evaporation={'type': 'interfaceEquilibrium'}), 'pure vapour'),
+    'vapour': (lambda case: case.gas.update(vapours={'gin': {'type': 'ofLiquid'}}), 'gin'),
+}
+
+
+@pytest.mark.parametrize('name', BAD)
+def test_bad_input(tmp_path, name):
+    change, words = BAD[name]
+    case = spirit(tmp_path)
+    change(case)
+    case.prepare()
+    assert words in case.message()

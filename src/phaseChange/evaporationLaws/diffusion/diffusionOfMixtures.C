@@ -58,11 +58,9 @@ bool Foam::dew::evaporationLaws::diffusion::saturate
 }
 
 
-Foam::scalar Foam::dew::evaporationLaws::diffusion::balance
+Foam::scalar Foam::dew::evaporationLaws::diffusion::total
 (
-    const gasFilm& film,
-    const scalar n,
-    UList<scalar>& Xs
+    const scalar n
 ) const
 {
     scalar N = 0;
@@ -70,6 +68,18 @@ Foam::scalar Foam::dew::evaporationLaws::diffusion::balance
     {
         N += massOf(i)*speciesFilm::flux(g_[i], y_[i], ys_[i], n);
     }
+    return N;
+}
+
+
+Foam::scalar Foam::dew::evaporationLaws::diffusion::balance
+(
+    const gasFilm& film,
+    const scalar n,
+    UList<scalar>& Xs
+) const
+{
+    const scalar N = total(n);
 
     // N_i = leaving Xs_i - entering, with the volatility of the present Xs
     scalar sum = 0;
@@ -123,6 +133,7 @@ void Foam::dew::evaporationLaws::diffusion::fluxes
             all.N = all.Xs*ROOTVGREAT;
             all.dNdY = 0;
             all.dNdTs = 0;
+            all.dNdX = 0;
             return;
         }
         if (stefanFlow_)
@@ -162,6 +173,7 @@ void Foam::dew::evaporationLaws::diffusion::fluxes
         dndTs /= -speciesFilm::slope(g_, y_, ys_, n);
     }
     const scalar W = gas_.W(film.Y);
+    const scalar N = max(total(n), scalar(0));
     forAll(g_, i)
     {
         const scalar P = n/g_[i];
@@ -179,6 +191,11 @@ void Foam::dew::evaporationLaws::diffusion::fluxes
           ? 1
           : W/gas_.W(i)*(1 - film.Y[i]*W*(1/gas_.W(i) - 1/gas_.Wc()));
         all.dNdY[i] = -mass*g*dydY;
+
+        // Of the two films in a row
+        const scalar leaving = mass*(g + n)*ys_[i]/max(all.Xs[i], VSMALL);
+        all.dNdX[i] =
+            mixed ? leaving : leaving*(film.gL[i] + N)/(leaving + film.gL[i]);
     }
 }
 

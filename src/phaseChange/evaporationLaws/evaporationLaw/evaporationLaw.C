@@ -31,6 +31,7 @@ void Foam::dew::evaporationLaw::fluxes
     all.N[0] = one.N;
     all.dNdY[0] = one.dNdY;
     all.dNdTs[0] = one.dNdTs;
+    all.dNdX[0] = 0;
     all.Xs[0] = 1;
 }
 

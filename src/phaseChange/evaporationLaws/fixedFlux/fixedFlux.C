@@ -61,6 +61,7 @@ void Foam::dew::evaporationLaws::fixedFlux::fluxes
     all.N = J_*film.cosine*film.X;
     all.dNdY = 0;
     all.dNdTs = 0;
+    all.dNdX = mag(J_)*film.cosine;
     all.Xs = film.X;
 }
 

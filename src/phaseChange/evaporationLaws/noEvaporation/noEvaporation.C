@@ -57,6 +57,7 @@ void Foam::dew::evaporationLaws::noEvaporation::fluxes
     all.N = 0;
     all.dNdY = 0;
     all.dNdTs = 0;
+    all.dNdX = 0;
     all.Xs = film.X;
 }
 
