@@ -38,6 +38,7 @@ Description
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
 #include "liquidPhase.H"
+#include "liquidSpecies.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
 #include "particleOutput.H"
@@ -104,6 +105,7 @@ void Foam::dew::evaporate
             #include "gasFluxEqn.H"
             #include "YEqn.H"
             interface.assemble(Y);
+            liquidSpecies.solve(phiL, T, p0, false);
             #include "TEqn.H"
         }
         #include "checkGas.H"
@@ -113,7 +115,7 @@ void Foam::dew::evaporate
         const scalar lost = ledger.liquidLost(runTime.deltaTValue());
         surface.evolve(lost);
         interface.distribute();
-        ledger.add(lost, runTime.deltaTValue(), phiG);
+        ledger.add(lost, runTime.deltaTValue(), phiG, liquidSpecies);
 
         // The liquid follows
         #include "liquidRegion.H"

@@ -50,6 +50,7 @@ Description
 #include "interfaceTransfer.H"
 #include "linearGradient.H"
 #include "liquidPhase.H"
+#include "liquidSpecies.H"
 #include "meshSymmetry.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
@@ -144,6 +145,7 @@ void Foam::dew::evaporate
             #include "gasFluxEqn.H"
             #include "YEqn.H"
             interface.assemble(Y);
+            liquidSpecies.solve(phiL, T, p0, false);
             #include "TEqn.H"
         }
         #include "checkGas.H"
@@ -156,7 +158,8 @@ void Foam::dew::evaporate
         (
             interface.rate()*runTime.deltaTValue()/rhoL,
             runTime.deltaTValue(),
-            phiG
+            phiG,
+            liquidSpecies
         );
         expansion.primitiveFieldRef() =
             gas.expansion(phiG)().field() - interface.sourceOf(1/rhoL)();

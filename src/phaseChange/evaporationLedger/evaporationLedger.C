@@ -8,6 +8,7 @@
 #include "gasPhase.H"
 #include "interfaceTransfer.H"
 #include "liquidPhase.H"
+#include "liquidSpecies.H"
 #include "OSspecific.H"
 #include "surfaceMotion.H"
 #include "Time.H"
@@ -63,28 +64,42 @@ Foam::dew::evaporationLedger::evaporationLedger
     rhoL_(0),
     rate_(0),
     V0_(surface.volume()),
-    evaporated_(0),
-    out_(0),
-    storedAtStart_(gas.held()),
+    names_(liquid.liquids().names()),
+    evaporated_(names_.size(), Zero),
+    out_(names_.size(), Zero),
+    storedAtStart_(names_.size(), Zero),
+    rates_(names_.size(), Zero),
     record_(new record(*this))
 {
+    forAll(names_, i)
+    {
+        storedAtStart_[i] = gas.held(i);
+    }
     if (record_->found("rhoL"))
     {
         rhoL_ = record_->get<scalar>("rhoL");
         V0_ = record_->get<scalar>("V0");
         rate_ = record_->get<scalar>("rate");
-        evaporated_ = record_->get<scalar>("evaporated");
-        out_ = record_->get<scalar>("out");
-        storedAtStart_ = record_->get<scalar>("storedAtStart");
+        record_->readEntry("evaporated", evaporated_);
+        record_->readEntry("out", out_);
+        record_->readEntry("storedAtStart", storedAtStart_);
     }
     else
     {
         const scalarField V(surface.alpha().primitiveField()*mesh.V());
+        scalarField X(names_.size());
+        forAll(X, i)
+        {
+            X[i] =
+                liquid.X().solved()
+              ? gSum(scalarField(V*liquid.X()[i].primitiveField()))/gSum(V)
+              : liquid.X().standard()[i];
+        }
         rhoL_ =
             liquid.liquids().rho
             (
                 p0, gSum(scalarField(V*T.primitiveField()))/gSum(V),
-                liquid.x(0)
+                liquid.x(X)
             );
     }
 
@@ -104,6 +119,11 @@ Foam::dew::evaporationLedger::evaporationLedger
         for (const auto& measure : surface_.measures())
         {
             os  << ' ' << measure.first();
+        }
+        for (const word& name : columns())
+        {
+            os  << " evaporated_" << name << "[kg] stored_" << name
+                << "[kg] out_" << name << "[kg]";
         }
         os  << endl;
     }
@@ -153,25 +173,15 @@ Foam::scalar Foam::dew::evaporationLedger::liquidLost(const scalar dt) const
 }
 
 
-void Foam::dew::evaporationLedger::add
+Foam::scalar Foam::dew::evaporationLedger::outflow
 (
-    const scalar lost,
-    const scalar dt,
+    const label i,
     const surfaceScalarField& phiG
-)
+) const
 {
-    const scalar mass = lost*rhoL_;
-    evaporated_ += mass;
-    rate_ = interface_.rate();
-
-    if (!Y_.solved())
-    {
-        return;
-    }
-
-    const surfaceScalarField& Gamma = gas_.GammaY();
+    const surfaceScalarField& Gamma = gas_.GammaY(i);
     scalar out = 0;
-    for (const fvPatchScalarField& Yb : Y_[0].boundaryField())
+    for (const fvPatchScalarField& Yb : Y_[i].boundaryField())
     {
         const label patchi = Yb.patch().index();
         if
@@ -187,33 +197,71 @@ void Foam::dew::evaporationLedger::add
             );
         }
     }
-    reduce(out, sumOp<scalar>());
+    return returnReduce(out, sumOp<scalar>());
+}
+
+
+const Foam::wordList& Foam::dew::evaporationLedger::columns() const
+{
+    return names_.size() > 1 ? names_ : wordList::null();
+}
+
+
+void Foam::dew::evaporationLedger::add
+(
+    const scalar lost,
+    const scalar dt,
+    const surfaceScalarField& phiG,
+    const liquidSpecies& liquid
+)
+{
+    rate_ = interface_.rate();
 
     // Of a step that the liquid did not last, and of a remnant
-    const scalar more = mass - interface_.rate()*dt;
-    out_ += out*dt;
-    if (gas_.isTransient())
+    const scalar more = lost*rhoL_ - rate_*dt;
+    forAll(names_, i)
     {
-        gas_.add(more);
-    }
-    else
-    {
-        out_ += more;
+        rates_[i] = interface_.rate(i);
+        const scalar part = more*liquid.share(i);
+        evaporated_[i] += rates_[i]*dt + part;
+        if (Y_.solved())
+        {
+            out_[i] += outflow(i, phiG)*dt;
+            moveVapour(i, part);
+        }
     }
 }
 
 
-void Foam::dew::evaporationLedger::giveBack(const scalar unmet)
+void Foam::dew::evaporationLedger::moveVapour(const label i, const scalar mass)
 {
-    const scalar mass = unmet*rhoL_;
-    evaporated_ -= mass;
     if (gas_.isTransient())
     {
-        gas_.add(-mass);
+        gas_.add(i, mass);
     }
     else
     {
-        out_ -= mass;
+        out_[i] += mass;
+    }
+}
+
+
+void Foam::dew::evaporationLedger::giveBack
+(
+    const scalar unmet,
+    liquidSpecies& liquid
+)
+{
+    forAll(names_, i)
+    {
+        const scalar mass =
+            unmet*rhoL_*(rate_ != 0 ? rates_[i]/rate_ : liquid.share(i));
+        evaporated_[i] -= mass;
+        liquid.add(i, mass);
+        if (Y_.solved() || gas_.isTransient())
+        {
+            moveVapour(i, -mass);
+        }
     }
 }
 
@@ -221,31 +269,53 @@ void Foam::dew::evaporationLedger::giveBack(const scalar unmet)
 void Foam::dew::evaporationLedger::report(const scalar maxU)
 {
     const scalar factor = surface_.wholeFactor();
-    const scalar stored = gas_.held() - storedAtStart_;
+    scalarField stored(names_.size());
+    forAll(names_, i)
+    {
+        stored[i] = gas_.held(i) - storedAtStart_[i];
+    }
     scalar T, least, most;
     interface_.surfaceTemperature(T, least, most);
 
-    Info<< "evaporated " << factor*evaporated_ << " kg";
-    if (Y_.solved())
+    const auto balance = [&]
+    (
+        const scalar evaporated, const scalar held, const scalar out
+    )
     {
-        const scalar error = evaporated_ - stored - out_;
-        Info<< " = stored " << factor*stored << " + out " << factor*out_
-            << ", error "
-            << (evaporated_ != 0 ? mag(error/evaporated_) : mag(error));
-    }
+        Info<< "evaporated " << factor*evaporated << " kg";
+        if (Y_.solved())
+        {
+            const scalar error = evaporated - held - out;
+            Info<< " = stored " << factor*held << " + out " << factor*out
+                << ", error "
+                << (evaporated != 0 ? mag(error/evaporated) : mag(error));
+        }
+    };
+    balance(sum(evaporated_), sum(stored), sum(out_));
     Info<< "; rate " << factor*interface_.rate() << " kg/s; surface at "
         << T << " K (" << least << " to " << most << "); max|U| " << maxU
         << " m/s" << endl;
+    forAll(columns(), i)
+    {
+        Info<< "    " << names_[i] << ": ";
+        balance(evaporated_[i], stored[i], out_[i]);
+        Info<< "; rate " << factor*interface_.rate(i) << " kg/s" << endl;
+    }
 
     if (table_.valid())
     {
         OFstream& os = table_();
-        os  << mesh_.time().value() << ' ' << factor*evaporated_ << ' '
-            << factor*stored << ' ' << factor*out_ << ' '
+        os  << mesh_.time().value() << ' ' << factor*sum(evaporated_) << ' '
+            << factor*sum(stored) << ' ' << factor*sum(out_) << ' '
             << factor*interface_.rate() << ' ' << T << ' ' << maxU;
         for (const auto& measure : surface_.measures())
         {
             os  << ' ' << measure.second();
+        }
+        forAll(columns(), i)
+        {
+            os  << ' ' << factor*evaporated_[i] << ' ' << factor*stored[i]
+                << ' ' << factor*out_[i];
         }
         os  << endl;
     }

@@ -89,14 +89,33 @@ Foam::dew::gasPhase::gasPhase
         mesh_,
         dimensionedScalar("zero", dimMass/dimLength/dimTime, Zero)
     ),
-    vapour_(heldField("vapourHeld", mesh_, dimDensity, transient_)),
     gas_(heldField("gasHeld", mesh_, dimDensity, transient_)),
     share_(heldField("gasShare", mesh_, dimless, transient_)),
-    vapour0_(mesh_.nCells(), Zero),
+    vapour0_(model.size(), scalarField(mesh_.nCells(), Zero)),
     gas0_(mesh_.nCells(), Zero),
     V0_(mesh_.nCells(), Zero),
-    wasGas_(interface.faces().gas())
+    wasGas_(interface.faces().gas()),
+    meanRhoD_(model)
 {
+    GammaYs_.setSize(Y.solved() ? model.size() : 0);
+    forAll(GammaYs_, i)
+    {
+        GammaYs_.set(i, new surfaceScalarField(GammaY_));
+    }
+    vapour_.setSize(model.size());
+    forAll(vapour_, i)
+    {
+        // A single vapour needs no name
+        const word name
+        (
+            model.size() > 1 ? "vapourHeld." + model.names()[i] : "vapourHeld"
+        );
+        vapour_.set
+        (
+            i,
+            new volScalarField(heldField(name, mesh_, dimDensity, transient_))
+        );
+    }
     correct();
 
     if (transient_)
@@ -115,7 +134,10 @@ Foam::dew::gasPhase::gasPhase
 
 void Foam::dew::gasPhase::collect()
 {
-    vapour0_ = region_.collect(vapour_.primitiveField());
+    forAll(vapour_, i)
+    {
+        vapour0_[i] = region_.collect(vapour_[i].primitiveField());
+    }
     gas0_ = region_.collect(gas_.primitiveField());
     V0_ = region_.collect(share_.primitiveField());
 }
@@ -124,27 +146,29 @@ void Foam::dew::gasPhase::collect()
 void Foam::dew::gasPhase::fillNew()
 {
     const boolList& gas = interface_.faces().gas();
-    volScalarField& Y = Y_[0];
 
     scalarField known(mesh_.nCells());
     forAll(known, celli)
     {
         known[celli] = gas[celli] && wasGas_[celli];
     }
-    const scalarField sum
-    (
-        neighbourSum<scalar>(mesh_, known*Y.primitiveField())
-    );
     const scalarField n(neighbourSum<scalar>(mesh_, known));
-
-    forAll(gas, celli)
+    for (label k = 0; k < Y_.size(); k++)
     {
-        if (gas[celli] && !wasGas_[celli] && n[celli] > 0)
+        volScalarField& Y = Y_[k];
+        const scalarField sum
+        (
+            neighbourSum<scalar>(mesh_, known*Y.primitiveField())
+        );
+        forAll(gas, celli)
         {
-            Y[celli] = sum[celli]/n[celli];
+            if (gas[celli] && !wasGas_[celli] && n[celli] > 0)
+            {
+                Y[celli] = sum[celli]/n[celli];
+            }
         }
+        Y.correctBoundaryConditions();
     }
-    Y.correctBoundaryConditions();
 }
 
 
@@ -181,12 +205,10 @@ void Foam::dew::gasPhase::correct()
         return;
     }
 
-    const volScalarField& Y = Y_[0];
     const scalarField noVapour(Y_.size(), Zero);
     const boolList& gas = interface_.faces().gas();
     const surfaceScalarField& same = interface_.faces().sameGas();
     const bool stefan = interface_.law().stefanFlow();
-
     forAll(rho_, celli)
     {
         rho_[celli] =
@@ -197,48 +219,91 @@ void Foam::dew::gasPhase::correct()
     }
     rho_.correctBoundaryConditions();
 
+    const label n = Y_.size();
+    scalarField Y1(n), Gamma(n);
     forAll(mesh_.owner(), facei)
     {
-        const label own = mesh_.owner()[facei];
-        const label nei = mesh_.neighbour()[facei];
-        GammaY_[facei] =
-            same[facei] > 0
-          ? meanRhoD
+        Gamma = 0;
+        if (same[facei] > 0)
+        {
+            const label own = mesh_.owner()[facei];
+            const label nei = mesh_.neighbour()[facei];
+            Y1 = Y_.cell(own);
+            meanRhoD_
             (
-                model_, p0_, Y[own], Y[nei], 0.5*(T_[own] + T_[nei]), stefan
-            )
-          : 0;
+                p0_, Y1, Y_.cell(nei), 0.5*(T_[own] + T_[nei]), stefan, Gamma
+            );
+        }
+        forAll(Gamma, i)
+        {
+            GammaYs_[i][facei] = Gamma[i];
+        }
     }
     forAll(mesh_.boundary(), patchi)
     {
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        const scalarField& mask = same.boundaryField()[patchi];
-        const scalarField Yb
-        (
-            patch.coupled()
-          ? Y.boundaryField()[patchi].patchNeighbourField()
-          : tmp<scalarField>(Y.boundaryField()[patchi])
-        );
-        const scalarField Tb
-        (
-            patch.coupled()
-          ? T_.boundaryField()[patchi].patchNeighbourField()
-          : tmp<scalarField>(T_.boundaryField()[patchi])
-        );
+        correctPatch(patchi, stefan);
+    }
+    mean();
+}
 
-        scalarField& Gamma = GammaY_.boundaryFieldRef()[patchi];
-        forAll(Gamma, facei)
+
+void Foam::dew::gasPhase::correctPatch(const label patchi, const bool stefan)
+{
+    const fvPatch& patch = mesh_.boundary()[patchi];
+    const scalarField& mask =
+        interface_.faces().sameGas().boundaryField()[patchi];
+    const label n = Y_.size();
+    const auto beyond = [&](const volScalarField& field)
+    {
+        const fvPatchScalarField& values = field.boundaryField()[patchi];
+        return scalarField
+        (
+            patch.coupled()
+          ? values.patchNeighbourField()
+          : tmp<scalarField>(values)
+        );
+    };
+    const scalarField Tb(beyond(T_));
+    List<scalarField> Yb(n);
+    forAll(Yb, i)
+    {
+        Yb[i] = beyond(Y_[i]);
+    }
+    scalarField Y1(n), Y2(n), Gamma(n);
+    forAll(mask, facei)
+    {
+        Gamma = 0;
+        if (mask[facei] > 0)
         {
             const label celli = patch.faceCells()[facei];
-            Gamma[facei] =
-                mask[facei] > 0
-              ? meanRhoD
-                (
-                    model_, p0_, Y[celli], Yb[facei],
-                    0.5*(T_[celli] + Tb[facei]), stefan
-                )
-              : 0;
+            Y1 = Y_.cell(celli);
+            forAll(Y2, i)
+            {
+                Y2[i] = Yb[i][facei];
+            }
+            meanRhoD_
+            (
+                p0_, Y1, Y2, 0.5*(T_[celli] + Tb[facei]), stefan, Gamma
+            );
         }
+        forAll(Gamma, i)
+        {
+            GammaYs_[i].boundaryFieldRef()[patchi][facei] = Gamma[i];
+        }
+    }
+}
+
+
+void Foam::dew::gasPhase::mean()
+{
+    GammaY_ = GammaYs_[0];
+    for (label i = 1; i < GammaYs_.size(); i++)
+    {
+        GammaY_ += GammaYs_[i];
+    }
+    if (GammaYs_.size() > 1)
+    {
+        GammaY_ /= scalar(GammaYs_.size());
     }
 }
 
@@ -262,7 +327,7 @@ Foam::dew::gasPhase::storageSp() const
 
 
 Foam::tmp<Foam::volScalarField::Internal>
-Foam::dew::gasPhase::storageSu() const
+Foam::dew::gasPhase::storageSu(const label i) const
 {
     auto tsu = tmp<volScalarField::Internal>::New
     (
@@ -273,7 +338,7 @@ Foam::dew::gasPhase::storageSu() const
     if (transient_)
     {
         tsu.ref().field() =
-            vapour0_/mesh_.V()/mesh_.time().deltaTValue();
+            vapour0_[i]/mesh_.V()/mesh_.time().deltaTValue();
     }
     return tsu;
 }
@@ -298,10 +363,13 @@ void Foam::dew::gasPhase::store()
         // The density the equation had: the mass closes
         const scalarField mass(rho_.primitiveField()*region_.V());
         gas_.primitiveFieldRef() = region_.giveBack(mass);
-        vapour_.primitiveFieldRef() =
-            Y_.solved()
-          ? region_.giveBack(mass*Y_[0].primitiveField())
-          : tmp<scalarField>(new scalarField(mesh_.nCells(), Zero));
+        for (label i = 0; i < vapour_.size(); i++)
+        {
+            vapour_[i].primitiveFieldRef() =
+                Y_.solved()
+              ? region_.giveBack(mass*Y_[i].primitiveField())
+              : tmp<scalarField>(new scalarField(mesh_.nCells(), Zero));
+        }
         share_.primitiveFieldRef() = region_.giveBack(region_.V());
     }
 }
@@ -322,32 +390,45 @@ void Foam::dew::gasPhase::move()
 }
 
 
-void Foam::dew::gasPhase::add(const scalar vapour)
+void Foam::dew::gasPhase::add(const label i, const scalar mass)
 {
     const auto& faces = interface_.faces().faces();
     const scalarField shares(region_.shares());
     forAll(shares, k)
     {
         const label celli = faces[k].gas;
-        const scalar part = vapour*shares[k]/mesh_.V()[celli];
-        vapour_[celli] += part;
+        const scalar part = mass*shares[k]/mesh_.V()[celli];
+        vapour_[i][celli] += part;
         gas_[celli] += part;
     }
     if (!returnReduce(shares.size(), sumOp<label>()))
     {
         const scalarField part
         (
-            vapour*region_.V()/gSum(region_.V())/mesh_.V()
+            mass*region_.V()/gSum(region_.V())/mesh_.V()
         );
-        vapour_.primitiveFieldRef() += part;
+        vapour_[i].primitiveFieldRef() += part;
         gas_.primitiveFieldRef() += part;
     }
 }
 
 
-Foam::scalar Foam::dew::gasPhase::held() const
+Foam::scalar Foam::dew::gasPhase::held(const label i) const
 {
-    return transient_ ? gSum(vapour_.primitiveField()*mesh_.V()) : 0;
+    return
+        transient_ ? gSum(vapour_[i].primitiveField()*mesh_.V()) : 0;
+}
+
+
+Foam::scalar Foam::dew::gasPhase::heldVapours() const
+{
+    scalar sum = 0;
+    forAll(vapour_, i)
+    {
+        sum += held(i);
+    }
+
+    return sum;
 }
 
 

@@ -62,13 +62,36 @@ Foam::dew::interfaceTransfer::interfaceTransfer
     ),
     faces_(mesh, surface),
     areaScale_(1),
-    vapourSu_(noSource("vapourSu", mesh, dimDensity/dimTime)),
-    vapourSp_(noSource("vapourSp", mesh, dimDensity/dimTime)),
+    vapourSu_(gas.size()),
+    vapourSp_(gas.size()),
     mDot_(noSource("mDot", mesh, dimDensity/dimTime)),
     rate_(0),
+    rates_(gas.size(), Zero),
     change_(GREAT)
 {
-    film_.Y.setSize(gas.size());
+        const dimensionSet dims(dimDensity/dimTime);
+    forAll(vapourSu_, i)
+    {
+        vapourSu_.set
+        (
+            i, new volScalarField::Internal(noSource("vapourSu", mesh, dims))
+        );
+        vapourSp_.set
+        (
+            i, new volScalarField::Internal(noSource("vapourSp", mesh, dims))
+        );
+    }
+    for
+    (
+        scalarField* f
+      : {
+            &film_.Y, &film_.X, &film_.gL, &flux_.N, &flux_.dNdY, &flux_.dNdTs,
+            &flux_.dNdX, &flux_.Xs
+        }
+    )
+    {
+        f->setSize(size());
+    }
     move();
 }
 
@@ -84,14 +107,59 @@ Foam::scalar Foam::dew::interfaceTransfer::cosine
 }
 
 
-Foam::scalar Foam::dew::interfaceTransfer::latentHeat
+void Foam::dew::interfaceTransfer::latent
 (
-    const filmFlux& f,
-    const scalar Ts
+    const UList<scalar>& N,
+    const UList<scalar>& dNdTs,
+    const scalar Ts,
+    scalar& heat,
+    scalar& slope
 ) const
 {
-    // The gas may be hotter than any liquid where nothing evaporates
-    return f.N == 0 && f.dNdTs == 0 ? 0 : liquid_.liquids().liquid(0).hv(p0_, Ts);
+    heat = 0;
+    slope = 0;
+    forAll(N, i)
+    {
+        // The gas may be hotter than any liquid where nothing evaporates
+        if (N[i] != 0 || dNdTs[i] != 0)
+        {
+            const scalar hv = liquid_.liquids().liquid(i).hv(p0_, Ts);
+            heat += hv*N[i];
+            slope += hv*dNdTs[i];
+        }
+    }
+}
+
+
+void Foam::dew::interfaceTransfer::keep(const label k, const bool heat)
+{
+    const interfaceFace& face = faces_.faces()[k];
+    const scalar V = mesh_.V()[face.gas];
+    const scalar K = KG_[k] + KL_[k];
+    forAll(flux_.N, i)
+    {
+        const label ki = k*size() + i;
+        const scalar Y = film_.Y[i];
+        dNdTs_[ki] = flux_.dNdTs[i];
+        dTsdY_[ki] = 0;
+        scalar dNdY = flux_.dNdY[i];
+        if (heat && (dNdY != 0 || flux_.dNdTs[i] != 0))
+        {
+            // More vapour, less evaporates, the surface gets warmer
+            const scalar hvS =
+                liquid_.liquids().liquid(i).hv(p0_, Ts_[k])*face.S;
+            const scalar sum = K + hvS*flux_.dNdTs[i];
+            dTsdY_[ki] = -hvS*dNdY/sum;
+            dNdY *= K/sum;
+        }
+        dNdY_[ki] = dNdY;
+        Y0_[ki] = Y;
+        N0_[ki] = flux_.N[i] - dNdY*Y;
+        Xs_[ki] = flux_.Xs[i];
+        dNdX_[ki] = flux_.dNdX[i];
+        vapourSu_[i][face.gas] += N0_[ki]*face.S/V;
+        vapourSp_[i][face.gas] -= dNdY*face.S/V;
+    }
 }
 
 
@@ -121,7 +189,7 @@ Foam::scalar Foam::dew::interfaceTransfer::findTs
 (
     const label k,
     gasFilm& film
-) const
+)
 {
     // What arrives by conduction, less what evaporation takes: it falls with
     // Ts, and below the boiling point it crosses zero
@@ -136,13 +204,14 @@ Foam::scalar Foam::dew::interfaceTransfer::findTs
     for (label iter = 0; iter < 200; iter++)
     {
         film.Ts = Ts;
-        const filmFlux f = law_->flux(film);
-        const scalar hv = latentHeat(f, Ts);
-        const scalar excess = arriving - K*Ts - f.N*hv*S;
+        law_->fluxes(film, flux_);
+        scalar heat, slope;
+        latent(flux_.N, flux_.dNdTs, Ts, heat, slope);
+        const scalar excess = arriving - K*Ts - heat*S;
 
         (excess > 0 ? low : high) = Ts;
 
-        scalar next = Ts + excess/(K + hv*f.dNdTs*S);
+        scalar next = Ts + excess/(K + slope*S);
         if (!(next > low && next < high))
         {
             next = 0.5*(low + high);
@@ -174,17 +243,14 @@ void Foam::dew::interfaceTransfer::move()
     Ts_.setSize(n);
     KG_.setSize(n);
     KL_.setSize(n);
-    dTsdY_.setSize(n);
-    Y0_.setSize(n);
-    flux_.setSize(n);
-    N0_.setSize(n);
-    N_.setSize(n);
+    total_.setSize(n);
+    for (scalarField* f : {&dTsdY_, &Y0_, &dNdY_, &dNdTs_, &dNdX_, &N0_, &N_, &Xs_})
+    {
+        f->setSize(n*size());
+        *f = 0;
+    }
+    total_ = 0;
     Ts_ = 0;
-    dTsdY_ = 0;
-    Y0_ = 0;
-    N0_ = 0;
-    N_ = 0;
-    flux_ = filmFlux();
     change_ = GREAT;
     area_ = surface_.area();
 
@@ -210,11 +276,14 @@ void Foam::dew::interfaceTransfer::linearise
     const auto& faces = faces_.faces();
 
     TN_ = faces_.ofLiquid(T);
-    scalarField& Su = vapourSu_;
-    scalarField& Sp = vapourSp_;
-    Su = 0;
-    Sp = 0;
+    liquid_.onFaces(faces_, XN_);
+    forAll(vapourSu_, i)
+    {
+        vapourSu_[i].field() = 0;
+        vapourSp_[i].field() = 0;
+    }
     change_ = 0;
+    const label n = size();
     const scalar fixedTs = law_->fixedTs();
     if (fixedTs > 0 && !energy)
     {
@@ -233,7 +302,14 @@ void Foam::dew::interfaceTransfer::linearise
         gasFilm& film = film_;
         film.Y = Y.cell(face.gas);
         // An iteration may overshoot pure vapour
-        film.Y[0] = min(film.Y[0], 1 - 1e-6);
+        const scalar vapours = sum(film.Y);
+        if (vapours > 1 - 1e-6)
+        {
+            film.Y *= (1 - 1e-6)/vapours;
+        }
+        film.X = SubList<scalar>(XN_, n, k*n);
+        flux_.Xs = SubList<scalar>(before > 0 ? Xs_ : XN_, n, k*n);
+        liquid_.conductances(p0_, TN_[k], film.X, face.dL, film.gL);
         film.T = T[face.gas];
         film.L = face.dG;
         film.cosine = cosine(face)*areaScale_;
@@ -249,7 +325,10 @@ void Foam::dew::interfaceTransfer::linearise
             const scalar Tf = 0.5*(film.T + film.Ts);
             KG_[k] = gas_.kappa(Tf, film.Y)*face.S/face.dG;
             KL_[k] = 
-                liquid_.liquids().kappa(p0_, TN_[k], liquid_.x(0))
+                liquid_.liquids().kappa
+                (
+                    p0_, TN_[k], liquid_.x(film.X)
+                )
                *face.S/face.dL;
 
             // A wall that gives no heat does not hold the film's temperature
@@ -273,37 +352,24 @@ void Foam::dew::interfaceTransfer::linearise
         }
 
         Ts_[k] = film.Ts;
-        flux_[k] = law_->flux(film);
-        Y0_[k] = film.Y[0];
-        dTsdY_[k] = 0;
+        law_->fluxes(film, flux_);
         if (fixedTs > 0)
         {
-            flux_[k].N =
+            flux_.N[0] =
                 (
                     KG_[k]*(film.T - fixedTs) + KL_[k]*(TN_[k] - fixedTs)
                 )
                /(liquid_.liquids().liquid(0).hv(p0_, fixedTs)*face.S);
         }
-        else if (energy)
+        else if (sum(flux_.N) > 0.1*ROOTVGREAT)
         {
-            // More vapour, less evaporates, the surface gets warmer
-            filmFlux& f = flux_[k];
-            const scalar K = KG_[k] + KL_[k];
-            const scalar hvS = latentHeat(f, Ts_[k])*face.S;
-            const scalar sum = K + hvS*f.dNdTs;
-            dTsdY_[k] = -hvS*f.dNdY/sum;
-            f.dNdY *= K/sum;
+            boils(k, film);
         }
+        keep(k, energy && fixedTs <= 0);
         if (before > 0)
         {
             change_ = max(change_, mag(Ts_[k] - before)/Ts_[k]);
         }
-
-        const scalar V = mesh_.V()[face.gas];
-        const filmFlux& f = flux_[k];
-        Su[face.gas] += (f.N - f.dNdY*film.Y[0])*face.S/V;
-        Sp[face.gas] -= f.dNdY*face.S/V;
-        N0_[k] = f.N - f.dNdY*film.Y[0];
     }
     reduce(change_, maxOp<scalar>());
 }
@@ -312,29 +378,69 @@ void Foam::dew::interfaceTransfer::linearise
 void Foam::dew::interfaceTransfer::assemble(const speciesFields& Y)
 {
     const auto& faces = faces_.faces();
-
-    rate_ = 0;
+    const label n = size();
+    rates_ = 0;
     scalar most = 0, moved = 0;
     forAll(faces, k)
     {
         const interfaceFace& face = faces[k];
-        const scalar before = N_[k];
-        N_[k] = N0_[k] + (Y.solved() ? flux_[k].dNdY*Y[0][face.gas] : 0);
+        const scalar before = total_[k];
+        scalar tangent = 0, Ts = Ts_[k];
+        total_[k] = 0;
+        for (label i = 0; i < n; i++)
+        {
+            const label ki = k*n + i;
+            N_[ki] = N0_[ki];
+            if (Y.solved())
+            {
+                const scalar Yi = Y[i][face.gas];
+                N_[ki] += dNdY_[ki]*Yi;
+                Ts += dTsdY_[ki]*(Yi - Y0_[ki]);
+                moved += mag(dNdY_[ki]*(Yi - Y0_[ki]))*face.S;
+            }
+            total_[k] += N_[ki];
+            tangent += N0_[ki] + dNdY_[ki]*Y0_[ki];
+            rates_[i] += N_[ki]*face.S;
+        }
         if (Y.solved())
         {
             // Far from the solution the tangent may leave what a liquid can be
-            const scalar Ts = Ts_[k] + dTsdY_[k]*(Y[0][face.gas] - Y0_[k]);
             const scalar highest = max(Ts_[k], 0.9999*law_->TsMax());
             Ts_[k] = max(min(Ts, highest), 0.5*Ts_[k]);
         }
-        rate_ += N_[k]*face.S;
-        most += mag(flux_[k].N)*face.S;
-        moved += mag(N_[k] - (Y.solved() ? flux_[k].N : before))*face.S;
+        else
+        {
+            moved += mag(total_[k] - before)*face.S;
+        }
+        most += mag(tangent)*face.S;
     }
-    reduce(rate_, sumOp<scalar>());
+    forAll(rates_, i)
+    {
+        reduce(rates_[i], sumOp<scalar>());
+    }
+    rate_ = sum(rates_);
     reduce(most, sumOp<scalar>());
     reduce(moved, sumOp<scalar>());
     change_ = max(change_, most > 0 ? moved/most : 0);
+}
+
+
+Foam::tmp<Foam::volScalarField::Internal>
+Foam::dew::interfaceTransfer::vapourSource(const speciesFields& Y) const
+{
+    tmp<volScalarField::Internal> tsource(1.0*vapourSu_[0]);
+    forAll(vapourSu_, i)
+    {
+        if (i > 0)
+        {
+            tsource.ref() += vapourSu_[i];
+        }
+        if (Y.solved())
+        {
+            tsource.ref() -= vapourSp_[i]*Y[i]();
+        }
+    }
+    return tsource;
 }
 
 

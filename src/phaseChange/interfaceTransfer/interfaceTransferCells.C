@@ -25,6 +25,7 @@ void Foam::dew::interfaceTransfer::heat
 ) const
 {
     const auto& faces = faces_.faces();
+    const label n = size();
     const surfaceScalarField& delta = mesh_.nonOrthDeltaCoeffs();
 
     scalarField liquidSu(faces.size()), liquidSp(faces.size());
@@ -33,17 +34,22 @@ void Foam::dew::interfaceTransfer::heat
     {
         const interfaceFace& face = faces[k];
         const bool fixed = law_->fixedTs() > 0;
-        const scalar hv = latentHeat(flux_[k], Ts_[k]);
-        const scalar slope = hv*flux_[k].dNdTs*face.S;
+        scalar heatOf, slope;
+        latent
+        (
+            SubList<scalar>(N_, n, k*n), SubList<scalar>(dNdTs_, n, k*n),
+            Ts_[k], heatOf, slope
+        );
+        slope *= face.S;
         const scalar sum = KG_[k] + KL_[k] + slope;
-        const scalar latent = hv*N_[k]*face.S - slope*Ts_[k];
+        const scalar latentHeat = heatOf*face.S - slope*Ts_[k];
 
         const scalar conductance = fixed ? 0 : KG_[k]*KL_[k]/sum;
 
         // Of what each side brings, the share that the surface takes, and what
         // it gives by itself
         const scalar takes = fixed ? 1 : slope/sum;
-        const scalar gives = fixed ? Ts_[k] : -latent/sum;
+        const scalar gives = fixed ? Ts_[k] : -latentHeat/sum;
         (
             face.patch < 0
           ? kappaf[face.face]
@@ -58,9 +64,20 @@ void Foam::dew::interfaceTransfer::heat
             );
 
         // Vapour enters the gas, and liquid leaves, at Ts
-        const scalar toGas = max(N_[k], scalar(0))*face.S*gas_.CpVapour(0, Ts_[k]);
-        const scalar toLiquid =
-            max(-N_[k], scalar(0))*face.S*liquid_.liquids().Cp(p0_, Ts_[k], liquid_.x(0));
+        scalar toGas = 0, toLiquid = 0;
+        for (label i = 0; i < n; i++)
+        {
+            const scalar N = N_[k*n + i];
+            if (N > 0)
+            {
+                toGas += N*face.S*gas_.CpVapour(i, Ts_[k]);
+            }
+            else if (N < 0)
+            {
+                toLiquid -=
+                    N*face.S*liquid_.liquids().liquid(i).Cp(p0_, Ts_[k]);
+            }
+        }
 
         const scalar V = mesh_.V()[face.gas];
         Su[face.gas] += (KG_[k]*gives + toGas*Ts_[k])/V;
@@ -116,7 +133,7 @@ Foam::tmp<Foam::scalarField> Foam::dew::interfaceTransfer::sourceOf
 {
     auto tsource = tmp<scalarField>::New(mesh_.nCells(), Zero);
     scalarField& source = tsource.ref();
-    forAll(N_, k)
+    forAll(total_, k)
     {
         const label celli = faces_.faces()[k].gas;
         source[celli] += factor*through(k)/mesh_.V()[celli];
@@ -139,7 +156,7 @@ void Foam::dew::interfaceTransfer::distribute()
     {
         const interfaceFace& face = faces[k];
         const scalar c = cosine(face);
-        sideAbove[k] = face.S*N_[k]*c;
+        sideAbove[k] = face.S*total_[k]*c;
         sideBelow[k] = face.S*c*c;
         above[face.gas] += sideAbove[k];
         below[face.gas] += sideBelow[k];

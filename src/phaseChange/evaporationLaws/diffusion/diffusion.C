@@ -6,8 +6,7 @@
 
 #include "diffusion.H"
 #include "addToRunTimeSelectionTable.H"
-#include "gasMixture.H"
-#include "saturation.H"
+#include "speciesFilm.H"
 #include "stefanFlux.H"
 #include "Switch.H"
 #include "userEntry.H"
@@ -38,11 +37,18 @@ Foam::dew::evaporationLaws::diffusion::diffusion
 :
     liquids_(liquids),
     gas_(gas),
+    equilibrium_(liquids),
+    pure_(liquids.size(), 1.0),
+    x_(liquids.size()),
+    g_(x_),
+    y_(x_),
+    ys_(x_),
+    dysdT_(x_),
+    Ym_(x_),
     stefanFlow_(dict.getOrDefault<Switch>("stefanFlow", true))
 {
     correct(gas.p0());
     userEntry::onlyThese(dict, {"type", "stefanFlow"});
-    pureLiquid(dict, liquids);
 }
 
 
@@ -52,7 +58,11 @@ Foam::dew::evaporationLaws::diffusion::diffusion
 void Foam::dew::evaporationLaws::diffusion::correct(const scalar p)
 {
     p_ = p;
-    TsMax_ = liquids_.liquid(0).Tboil(p);
+    TsMax_ = 0;
+    for (const liquidModel& liquid : liquids_.liquids())
+    {
+        TsMax_ = max(TsMax_, liquid.Tboil(p));
+    }
 }
 
 
@@ -64,10 +74,11 @@ Foam::dew::filmFlux Foam::dew::evaporationLaws::diffusion::flux
     // Differences of the properties over the film are of second order
     const scalar Tf = 0.5*(film.T + film.Ts);
 
-    const liquidModel& liquid = liquids_.liquid(0);
     const scalar Y = film.Y[0];
-    const scalar xs = saturation::xs(liquid, p_, film.Ts);
-    const scalar dxsdT = saturation::dxsdT(liquid, p_, film.Ts);
+    equilibrium_.partialPressures(p_, film.Ts, pure_, y_);
+    equilibrium_.dpdT(p_, film.Ts, pure_, dysdT_);
+    const scalar xs = y_[0]/p_;
+    const scalar dxsdT = dysdT_[0]/p_;
 
     // Fractions, derivatives by Y and T, and conductance in the form that is
     // exact for the gas

@@ -19,6 +19,23 @@ namespace dew
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::evaporationLaw::fluxes
+(
+    const gasFilm& film,
+    speciesFlux& all
+) const
+{
+    const filmFlux one(flux(film));
+    all.N[0] = one.N;
+    all.dNdY[0] = one.dNdY;
+    all.dNdTs[0] = one.dNdTs;
+    all.dNdX[0] = 0;
+    all.Xs[0] = 1;
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 void Foam::dew::evaporationLaw::pureLiquid

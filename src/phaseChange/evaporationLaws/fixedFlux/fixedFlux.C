@@ -28,14 +28,13 @@ namespace evaporationLaws
 Foam::dew::evaporationLaws::fixedFlux::fixedFlux
 (
     const dictionary& dict,
-    const liquidMixture& liquids,
+    const liquidMixture&,
     const gasMixture&
 )
 :
     J_(userEntry::number(dict, "flux", dimMass/dimArea/dimTime))
 {
     userEntry::onlyThese(dict, {"type", "flux"});
-    pureLiquid(dict, liquids);
 }
 
 
@@ -50,6 +49,20 @@ Foam::dew::filmFlux Foam::dew::evaporationLaws::fixedFlux::flux
     filmFlux f;
     f.N = J_*film.cosine;
     return f;
+}
+
+
+void Foam::dew::evaporationLaws::fixedFlux::fluxes
+(
+    const gasFilm& film,
+    speciesFlux& all
+) const
+{
+    all.N = J_*film.cosine*film.X;
+    all.dNdY = 0;
+    all.dNdTs = 0;
+    all.dNdX = mag(J_)*film.cosine;
+    all.Xs = film.X;
 }
 
 

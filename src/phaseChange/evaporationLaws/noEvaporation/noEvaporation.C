@@ -48,4 +48,18 @@ Foam::dew::filmFlux Foam::dew::evaporationLaws::noEvaporation::flux
 }
 
 
+void Foam::dew::evaporationLaws::noEvaporation::fluxes
+(
+    const gasFilm& film,
+    speciesFlux& all
+) const
+{
+    all.N = 0;
+    all.dNdY = 0;
+    all.dNdTs = 0;
+    all.dNdX = 0;
+    all.Xs = film.X;
+}
+
+
 // ************************************************************************* //
