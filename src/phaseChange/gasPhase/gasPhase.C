@@ -420,14 +420,15 @@ Foam::scalar Foam::dew::gasPhase::held(const label i) const
 }
 
 
-Foam::scalar Foam::dew::gasPhase::held() const
+Foam::scalar Foam::dew::gasPhase::heldVapours() const
 {
-    scalar all = 0;
-    for (label i = 0; transient_ && i < vapour_.size(); i++)
+    scalar sum = 0;
+    forAll(vapour_, i)
     {
-        all += held(i);
+        sum += held(i);
     }
-    return all;
+
+    return sum;
 }
 
 

@@ -76,7 +76,7 @@ void Foam::dew::gasPressure::start(const gasPhase& gas, const bool vapour)
     {
         FatalErrorInFunction
             << "The gas is closed in: no patch of the mesh is of type 'patch',"
-            << " and what evaporates raises the pressure of the gas" << nl
+            << " and vapour raises its pressure p0" << nl
             << "Use 'type idealGas;' in constant/gasProperties with 'gas"
             << " transient;' in constant/phaseChangeProperties, or make a"
             << " boundary of the gas a 'patch' in"
@@ -86,7 +86,7 @@ void Foam::dew::gasPressure::start(const gasPhase& gas, const bool vapour)
 
     if (closed_ && carrier_ < 0)
     {
-        carrier_ = gas.heldGas() - gas.held();
+        carrier_ = gas.heldGas() - gas.heldVapours();
     }
 }
 
@@ -102,7 +102,7 @@ void Foam::dew::gasPressure::correct(gasPhase& gas, const scalar rate)
         }
         gas.correct();
         p0_ *=
-            (carrier_ + gas.held() + rate*mesh_.time().deltaTValue())
+            (carrier_ + gas.heldVapours() + rate*mesh_.time().deltaTValue())
            /gas.mass();
     }
 }

@@ -244,7 +244,8 @@ def conditions(run):
     # Water at 300 K, or as the air if that is colder; the hot drop as the air
     start = T if hot else min(T, 300)
     entries = {'radius': R, 'Tinfinity': T, 'Yinfinity': Y, 'Tstart': start, 'rho': density,
-               'endTime': (0.9 if hot else 0.5)*life, 'deltaT': life/2000}
+               'endTime': (0.9 if hot else 0.5)*life, 'deltaT': life/2000,
+               'maxVolumeChange': 0.005 if hot else 0.02, 'iterations': 60 if hot else 20}
     for name, value in entries.items():
         print(f'{name:15} {value if isinstance(value, str) else format(value, ".12g")};')
 
