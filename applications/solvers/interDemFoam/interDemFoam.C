@@ -106,6 +106,7 @@ int main(int argc, char *argv[])
         return 0;
     }
 
+    #include "startPressure.H"
     output.writeStart();
 
     while (runTime.run())

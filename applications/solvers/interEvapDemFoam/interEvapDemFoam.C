@@ -47,6 +47,7 @@ Usage
 #include "sigFpe.H"
 
 #include "caseDictionary.H"
+#include "handOver.H"
 #include "surfaceShape.H"
 #include "transportedSurface.H"
 
@@ -68,27 +69,48 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createCaseMesh.H"
 
+    dictionary surfaceProperties
+    (
+        dew::caseDictionary(runTime, "surfaceProperties")
+    );
     autoPtr<dew::surfaceMotion> surface
     (
-        dew::surfaceMotion::New<dew::surfaceMotion>
-        (
-            mesh,
-            dew::caseDictionary(runTime, "surfaceProperties")
-        )
+        dew::surfaceMotion::New<dew::surfaceMotion>(mesh, surfaceProperties)
     );
 
-    if (isA<dew::surfaceShape>(surface()))
+    if (!isA<dew::surfaceShape>(surface()))
+    {
+        dew::transportedSurface& carried =
+            refCast<dew::transportedSurface>(surface());
+
+        // The start may be one that was handed over before
+        const bool wasShape =
+            IOobject
+            (
+                "surface", runTime.timeName(), "uniform", mesh
+            ).typeHeaderOk<IOdictionary>(true);
+
+        surfaceProperties =
+            wasShape
+          ? dew::handOver(carried, surfaceProperties).shape()
+          : dew::evaporate(args, runTime, mesh, carried);
+        surface.clear();
+        if (!surfaceProperties.empty())
+        {
+            Info<< "The liquid is a cap from here on: "
+                << surfaceProperties.subDict("surfaceMotion") << endl;
+            surface =
+                dew::surfaceMotion::New<dew::surfaceMotion>
+                (
+                    mesh, surfaceProperties
+                );
+        }
+    }
+    if (surface.valid())
     {
         dew::evaporate
         (
             args, runTime, mesh, refCast<dew::surfaceShape>(surface())
-        );
-    }
-    else
-    {
-        dew::evaporate
-        (
-            args, runTime, mesh, refCast<dew::transportedSurface>(surface())
         );
     }
 

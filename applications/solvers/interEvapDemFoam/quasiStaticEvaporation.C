@@ -34,6 +34,7 @@ Description
 #include "exponentialFitted.H"
 #include "gasMixture.H"
 #include "gasPhase.H"
+#include "gasPressure.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
 #include "liquidPhase.H"
@@ -98,6 +99,7 @@ void Foam::dew::evaporate
         for (; iter < nIter && interface.change() > gasTolerance; iter++)
         {
             #include "gasRows.H"
+            pressure.correct(gas, interface.rate());
             interface.linearise(T, Y, energy);
             gas.correct();
             #include "gasFluxEqn.H"
@@ -128,6 +130,7 @@ void Foam::dew::evaporate
 
         surface.report(Info);
         ledger.report(gMax(scalarField(mag(U.primitiveField())*(1 - dry))));
+        pressure.report();
         exchange.report();
 
         // On to the new place of the surface

@@ -19,7 +19,8 @@ Description
 
     The flux that carries the surface has not e in it (carryingFlux.H). What
     evaporates is found at the new place of the surface, and leaves the liquid
-    after the next transport; it is on its way in between (leaving).
+    after the next transport; it is on its way in between (leaving). A cap that
+    is too thin for the mesh is handed over (handOver).
 \*---------------------------------------------------------------------------*/
 
 #include "evaporations.H"
@@ -45,12 +46,15 @@ Description
 #include "fromFaces.H"
 #include "gasMixture.H"
 #include "gasPhase.H"
+#include "gasPressure.H"
+#include "handOver.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
 #include "linearGradient.H"
 #include "liquidPhase.H"
 #include "liquidSpecies.H"
 #include "meshSymmetry.H"
+#include "neighbourSum.H"
 #include "particleEngine.H"
 #include "particleExchange.H"
 #include "particleOutput.H"
@@ -64,7 +68,7 @@ Description
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
-void Foam::dew::evaporate
+Foam::dictionary Foam::dew::evaporate
 (
     argList& args,
     Time& runTime,
@@ -96,15 +100,19 @@ void Foam::dew::evaporate
     if (args.found("dry-run"))
     {
         Info<< "End of the dry run\n" << endl;
-        return;
+        return dictionary();
     }
 
+    const dew::handOver thin(surface, surfaceProperties);
+
+    #include "startPressure.H"
     output.writeStart();
 
     while (runTime.run())
     {
         #include "readTimeControls.H"
         #include "CourantNo.H"
+        #include "limitRecession.H"
         #include "setTwoFluidDeltaT.H"
         #include "checkViscous.H"
 
@@ -138,6 +146,7 @@ void Foam::dew::evaporate
         for (; iter < nIter && interface.change() > gasTolerance; iter++)
         {
             #include "gasRows.H"
+            pressure.correct(gas, interface.rate());
             interface.linearise(T, Y, energy);
             gas.correct();
             #include "gasFluxEqn.H"
@@ -152,9 +161,10 @@ void Foam::dew::evaporate
         interface.distribute();
         leaving.primitiveFieldRef() =
             interface.mDot().field()*runTime.deltaTValue();
+        #include "lastRemnant.H"
         ledger.add
         (
-            interface.rate()*runTime.deltaTValue()/rhoL,
+            interface.rate()*runTime.deltaTValue()/rhoL + remnant,
             runTime.deltaTValue(),
             phiG,
             liquidSpecies
@@ -193,10 +203,26 @@ void Foam::dew::evaporate
 
         #include "surfaceReport.H"
         ledger.report(gMax(mag(U.primitiveField())));
+        pressure.report();
         exchange.report();
+
+        if (thin.due())
+        {
+            // What is on its way leaves now; the quasi-static p is another one
+            surface.recede(leaving.primitiveField()*mesh.V()/rhoL, alphacFluid);
+            surface.correct(flow, true);
+            leaving == dimensionedScalar(dimDensity, Zero);
+            p.writeOpt() = IOobject::NO_WRITE;
+            runTime.writeNow();
+            report.print();
+            return thin.shape();
+        }
+
         runTime.write();
         report.print();
     }
+
+    return dictionary();
 }
 
 

@@ -244,7 +244,9 @@ bool Foam::dew::heightStencil::refine
     derivatives& d
 ) const
 {
+    // Each takes one digit or more: rounding decides nothing at the end
     constexpr label nPasses = 12;
+    bool converged = false;
     const surfaceBend first(d);
     surfaceBend at(first);
     derivatives found(d);
@@ -273,13 +275,17 @@ bool Foam::dew::heightStencil::refine
             return false;
         }
         at.set(found);
-        if (change <= 1e-6*at.size())
+        converged = change <= 1e-6*at.size();
+        if (change <= 1e-10*at.size())
         {
-            d = found;
-            return true;
+            break;
         }
     }
-    return false;
+    if (converged)
+    {
+        d = found;
+    }
+    return converged;
 }
 
 

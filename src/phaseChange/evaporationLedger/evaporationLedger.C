@@ -258,7 +258,7 @@ void Foam::dew::evaporationLedger::giveBack
             unmet*rhoL_*(rate_ != 0 ? rates_[i]/rate_ : liquid.share(i));
         evaporated_[i] -= mass;
         liquid.add(i, mass);
-        if (Y_.solved() || gas_.isTransient())
+        if (Y_.solved())
         {
             moveVapour(i, -mass);
         }

@@ -420,6 +420,29 @@ Foam::scalar Foam::dew::gasPhase::held(const label i) const
 }
 
 
+Foam::scalar Foam::dew::gasPhase::held() const
+{
+    scalar all = 0;
+    for (label i = 0; transient_ && i < vapour_.size(); i++)
+    {
+        all += held(i);
+    }
+    return all;
+}
+
+
+Foam::scalar Foam::dew::gasPhase::heldGas() const
+{
+    return transient_ ? gSum(gas_.primitiveField()*mesh_.V()) : 0;
+}
+
+
+Foam::scalar Foam::dew::gasPhase::mass() const
+{
+    return gSum(scalarField(rho_.primitiveField()*region_.V()));
+}
+
+
 Foam::tmp<Foam::volScalarField::Internal> Foam::dew::gasPhase::expansion
 (
     const surfaceScalarField& phiG

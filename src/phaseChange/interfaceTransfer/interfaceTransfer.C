@@ -366,10 +366,10 @@ void Foam::dew::interfaceTransfer::linearise
             boils(k, film);
         }
         keep(k, energy && fixedTs <= 0);
-        if (before > 0)
-        {
-            change_ = max(change_, mag(Ts_[k] - before)/Ts_[k]);
-        }
+
+        // The first time nothing is known to have come to rest
+        change_ =
+            max(change_, before > 0 ? mag(Ts_[k] - before)/Ts_[k] : 1);
     }
     reduce(change_, maxOp<scalar>());
 }

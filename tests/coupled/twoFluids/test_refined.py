@@ -1,6 +1,7 @@
 """Particles that cross the surface of the water in a mesh that is refined around them: cells split and joined every step.
 
-Liquid and the ledger are identities: round-off of sums. Ranks and restart: 1e-8, solvers end at 1e-14 of residuals.
+Liquid and the ledger are identities: round-off of sums. Restart: 1e-8, solvers end at 1e-14 of residuals.
+Ranks: 1e-7, sums in another order, as mirrored cases (test_symmetry).
 """
 import re
 
@@ -44,11 +45,11 @@ def test_balances(whole):
     assert 'FOAM Warning' not in output
 
 
-def same(one, other):
+def same(one, other, tolerance=1e-8):
     """Spheres, over the fastest."""
     a, b = one.table(STEPS*DT), other.table(STEPS*DT)
     for name in ('vx', 'vy', 'vz'):
-        assert np.abs(a[name] - b[name]).max() < 1e-8*np.abs(a['vz']).max()
+        assert np.abs(a[name] - b[name]).max() < tolerance*np.abs(a['vz']).max()
 
 
 def test_two_ranks_do_as_one(whole, tmp_path):
@@ -57,7 +58,7 @@ def test_two_ranks_do_as_one(whole, tmp_path):
     output = solve(case, ranks=2)
     cells = '(?:Refined|Unrefined) from .*'
     assert re.findall(cells, output) == re.findall(cells, whole[1])
-    same(whole[0], case)
+    same(whole[0], case, 1e-7)
 
 
 def test_restart_goes_on(whole, tmp_path):

@@ -69,23 +69,28 @@ void Foam::dew::curvatureModel::correct(volScalarField& curvature)
     calculate(curvature.primitiveFieldRef(), known);
     alongInterface::extend(curvature, known, layer_);
 
-    // Of two cells the one that has more of the surface counts: one that the
-    // surface has just come to has no say yet
-    volScalarField weight("interfaceWeight", layer_);
-    const scalarField& share = surface_.alpha().primitiveField();
-    forAll(share, celli)
-    {
-        weight[celli] = max(share[celli]*(1 - share[celli]), least);
-    }
-    weight.correctBoundaryConditions();
-
     // As large as the mesh is now
     Kf_ =
         surfaceScalarField::New
         (
             "Kf", surface_.mesh(), dimensionedScalar(Kf_.dimensions(), Zero)
         );
-    alongInterface::toFaces(curvature, layer_, weight, Kf_);
+    if (shareCounts())
+    {
+        // One that the surface has just come to has no say yet
+        volScalarField weight("interfaceWeight", layer_);
+        const scalarField& share = surface_.alpha().primitiveField();
+        forAll(share, celli)
+        {
+            weight[celli] = max(share[celli]*(1 - share[celli]), least);
+        }
+        weight.correctBoundaryConditions();
+        alongInterface::toFaces(curvature, layer_, weight, Kf_);
+    }
+    else
+    {
+        alongInterface::toFaces(curvature, layer_, Kf_);
+    }
 
     curvature *= 0.5;
 }

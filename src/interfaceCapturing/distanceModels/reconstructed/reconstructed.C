@@ -104,7 +104,9 @@ void Foam::dew::distanceModels::reconstructed::mean
         }
     }
     psi /= sum;
-    n /= mag(n);
+
+    // Planes on both sides of a thin pocket have none in the mean
+    n = mag(n) > 1e-6*sum ? n/mag(n) : closest_[celli].n;
 }
 
 

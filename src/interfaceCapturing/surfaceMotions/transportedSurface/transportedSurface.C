@@ -57,7 +57,7 @@ Foam::dew::transportedSurface::transportedSurface
         surfaceProperties,
         {
             "liquid", "surfaceMotion", "reconstruction", "distance",
-            "curvature", "contactAngles", "surfaceTension"
+            "curvature", "contactAngles", "surfaceTension", "handOver"
         }
     );
     // As long as nobody reads them
