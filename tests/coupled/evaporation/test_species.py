@@ -158,3 +158,26 @@ def test_bad_input(tmp_path, name):
     change(case)
     case.prepare()
     assert words in case.message()
+
+
+# w of ethanol, ratio of the mass fluxes of ethanol and water into dry air at 298.15 K, D p gamma x W of each, with van
+# Laar's activities and ideal: from the saturation pressures of v1912's library by a calculation of its own
+RATIOS = [(0.05, 0.297, 0.062), (0.1, 0.555, 0.132), (0.2, 0.974, 0.296), (0.3, 1.295, 0.508), (0.5, 1.793, 1.186)]
+
+
+@pytest.mark.parametrize('w, real, ideal', RATIOS, ids=[str(row[0]) for row in RATIOS])
+def test_first_flux_of_ethanol_and_water(tmp_path, w, real, ideal):
+    """D in the mixture of vapours is up to 2 % off that in air, and the reference has two or three digits: 5 %."""
+    for activity, expected in (({'type': 'vanLaar', 'ethanol-water': {'A12': 1.6798, 'A21': 0.9227}}, real),
+                               ({'type': 'ideal'}, ideal)):
+        case = spirit(tmp_path / activity['type'], film=0.5e-3, mixing='well', deltaT=1e-3, endTime=1e-3)
+        case.X = {'ethanol': w, 'water': 1 - w}
+        case.liquid['equilibrium']['activity'] = activity
+        D = {'Tref': 298.15, 'pRef': 101325}
+        case.gas['diffusivity'] = {'pairs': {'ethanol-carrier': {'D0': 1.19e-5, **D},
+                                             'water-carrier': {'D0': 2.5e-5, **D}, 'ethanol-water': {'D0': 1.5e-5, **D}}}
+        case.change.update(energy=False, gas='quasiSteady', evaporation={'type': 'diffusion', 'stefanFlow': False})
+        case.prepare()
+        case.go()
+        table = case.ledger()
+        assert table.evaporated_ethanol[0] / table.evaporated_water[0] == pytest.approx(expected, rel=0.05)

@@ -37,6 +37,7 @@ Foam::dew::evaporationLaws::diffusion::diffusion
 :
     liquids_(liquids),
     gas_(gas),
+    stefanFlow_(dict.getOrDefault<Switch>("stefanFlow", true)),
     equilibrium_(liquids),
     pure_(liquids.size(), 1.0),
     x_(liquids.size()),
@@ -44,8 +45,7 @@ Foam::dew::evaporationLaws::diffusion::diffusion
     y_(x_),
     ys_(x_),
     dysdT_(x_),
-    Ym_(x_),
-    stefanFlow_(dict.getOrDefault<Switch>("stefanFlow", true))
+    Ym_(x_)
 {
     correct(gas.p0());
     userEntry::onlyThese(dict, {"type", "stefanFlow"});

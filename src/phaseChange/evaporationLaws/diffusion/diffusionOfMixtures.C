@@ -191,11 +191,15 @@ void Foam::dew::evaporationLaws::diffusion::fluxes
           ? 1
           : W/gas_.W(i)*(1 - film.Y[i]*W*(1/gas_.W(i) - 1/gas_.Wc()));
         all.dNdY[i] = -mass*g*dydY;
+        all.dNdX[i] = mass*(g + n)*ys_[i]/max(all.Xs[i], VSMALL);
 
-        // Of the two films in a row
-        const scalar leaving = mass*(g + n)*ys_[i]/max(all.Xs[i], VSMALL);
-        all.dNdX[i] =
-            mixed ? leaving : leaving*(film.gL[i] + N)/(leaving + film.gL[i]);
+        if (!mixed)
+        {
+            // The film of the liquid gives way, too: in the composition, not in
+            // the sum, so dNdY stays that of the gas
+            const scalar leaving = all.dNdX[i];
+            all.dNdX[i] = leaving*(film.gL[i] + N)/(film.gL[i] + leaving);
+        }
     }
 }
 
