@@ -86,7 +86,7 @@ void Foam::dew::evaporatingFluids::correct()
         const scalar T = T_[celli];
 
         rho_[celli] = a*rho1_.value() + (1 - a)*rhoGas_[celli];
-        mu1_[celli] = 
+        mu1_[celli] =
             liquid_.liquids().mu(p0_, min(T, Tboil), liquid_.x(celli));
         mu2_[celli] = gas_.mu(T, a < 0.5 ? Y_.cell(celli) : noVapour);
         mu_[celli] = a*mu1_[celli] + (1 - a)*mu2_[celli];

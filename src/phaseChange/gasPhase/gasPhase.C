@@ -195,7 +195,7 @@ void Foam::dew::gasPhase::correct()
         forAll(Gamma, celli)
         {
             const scalar T = T_[celli];
-            Gamma[celli] = 
+            Gamma[celli] =
                 model_.kappa(T, Y_.standard())/model_.Cp(T, Y_.standard());
         }
         Gamma.correctBoundaryConditions();

@@ -324,7 +324,7 @@ void Foam::dew::interfaceTransfer::linearise
         {
             const scalar Tf = 0.5*(film.T + film.Ts);
             KG_[k] = gas_.kappa(Tf, film.Y)*face.S/face.dG;
-            KL_[k] = 
+            KL_[k] =
                 liquid_.liquids().kappa
                 (
                     p0_, TN_[k], liquid_.x(film.X)
