@@ -163,7 +163,7 @@ class ColumnCase(Case):
             'laplacianSchemes': {'default': 'Gauss linear corrected'},
             'interpolationSchemes': {'default': 'linear'}, 'snGradSchemes': {'default': 'corrected'}})
         symmetric = {'solver': 'PCG', 'preconditioner': 'DIC', 'tolerance': 1e-15, 'relTol': 0, 'maxIter': 5000}
-        other = {'solver': 'PBiCGStab', 'preconditioner': 'DILU', 'tolerance': 1e-15, 'relTol': 0}
+        other = {'solver': 'PBiCG', 'preconditioner': 'DILU', 'tolerance': 1e-15, 'relTol': 0}
         self.write_dict('system/fvSolution', {
             'solvers': {'"(chi|extension|p_rgh).*"': symmetric, '"(Y.*|T|U).*"': other, '"alpha.*"': {'nLimiterIter': 3}},
             'PIMPLE': {'momentumPredictor': False, 'nOuterCorrectors': 1, 'nCorrectors': 2},

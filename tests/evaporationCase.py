@@ -121,7 +121,7 @@ class EvaporationCase(Case):
             'laplacianSchemes': {'default': 'Gauss linear corrected'},
             'interpolationSchemes': {'default': 'linear'}, 'snGradSchemes': {'default': 'corrected'}})
         symmetric = {'solver': 'PCG', 'preconditioner': 'DIC', 'tolerance': self.tolerance, 'relTol': 0}
-        other = {'solver': 'PBiCGStab', 'preconditioner': 'DILU', 'tolerance': self.tolerance, 'relTol': 0}
+        other = {'solver': 'PBiCG', 'preconditioner': 'DILU', 'tolerance': self.tolerance, 'relTol': 0}
         self.write_dict('system/fvSolution', {
             'solvers': {'"(chi|pc).*"': symmetric, '"(Y.*|T|U).*"': other},
             'PIMPLE': {'nOuterCorrectors': 1, 'nCorrectors': 1},

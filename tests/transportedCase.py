@@ -25,7 +25,7 @@ class TransportedCase(EvaporationCase):
         self.motion = motion
         self.write_dict('constant/turbulenceProperties', {'simulationType': 'laminar'})
         symmetric = {'solver': 'PCG', 'preconditioner': 'DIC', 'tolerance': self.tolerance, 'relTol': 0, 'maxIter': 5000}
-        other = {'solver': 'PBiCGStab', 'preconditioner': 'DILU', 'tolerance': self.tolerance, 'relTol': 0}
+        other = {'solver': 'PBiCG', 'preconditioner': 'DILU', 'tolerance': self.tolerance, 'relTol': 0}
         self.write_dict('system/fvSolution', {
             'solvers': {'"(chi|extension|p_rgh).*"': symmetric, '"(Y.*|T|U).*"': other,
                         '"alpha.*"': {'nLimiterIter': 3}},
