@@ -96,7 +96,7 @@ void Foam::dew::evaporate
         // first step has no other to go on from
         const label nIter = (ledger.rate() == 0 ? 20 : 1)*nGasCorrectors;
         label iter = 0;
-        for (; iter < nIter && interface.change() > gasTolerance; iter++)
+        for (; iter < nIter && !(interface.change() <= gasTolerance); iter++)
         {
             #include "gasRows.H"
             pressure.correct(gas, interface.rate());

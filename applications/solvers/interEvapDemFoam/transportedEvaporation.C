@@ -108,10 +108,12 @@ Foam::dictionary Foam::dew::evaporate
     #include "startPressure.H"
     output.writeStart();
 
+    bool courantTold = false;
     while (runTime.run())
     {
         #include "readTimeControls.H"
         #include "CourantNo.H"
+        #include "checkCourant.H"
         #include "limitRecession.H"
         #include "setTwoFluidDeltaT.H"
         #include "checkViscous.H"
@@ -143,7 +145,7 @@ Foam::dictionary Foam::dew::evaporate
         }
         const label nIter = (ledger.rate() == 0 ? 20 : 1)*nGasCorrectors;
         label iter = 0;
-        for (; iter < nIter && interface.change() > gasTolerance; iter++)
+        for (; iter < nIter && !(interface.change() <= gasTolerance); iter++)
         {
             #include "gasRows.H"
             pressure.correct(gas, interface.rate());
