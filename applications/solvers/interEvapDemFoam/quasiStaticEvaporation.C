@@ -92,24 +92,7 @@ void Foam::dew::evaporate
         particles.evolve(exchange.forces());
         exchange.correct();
 
-        // Vapour and heat around the present surface: what evaporates. The
-        // first step has no other to go on from
-        const label nIter = (ledger.rate() == 0 ? 20 : 1)*nGasCorrectors;
-        label iter = 0;
-        for (; iter < nIter && !(interface.change() <= gasTolerance); iter++)
-        {
-            #include "gasRows.H"
-            pressure.correct(gas, interface.rate());
-            interface.linearise(T, Y, energy);
-            gas.correct();
-            #include "gasFluxEqn.H"
-            #include "YEqn.H"
-            interface.assemble(Y);
-            liquidSpecies.solve(phiL, T, p0, false);
-            #include "TEqn.H"
-        }
-        #include "checkGas.H"
-        #include "storeGas.H"
+        #include "solveGas.H"
 
         // The surface gives way to it
         const scalar lost = ledger.liquidLost(runTime.deltaTValue());

@@ -143,22 +143,7 @@ Foam::dictionary Foam::dew::evaporate
                 )
             );
         }
-        const label nIter = (ledger.rate() == 0 ? 20 : 1)*nGasCorrectors;
-        label iter = 0;
-        for (; iter < nIter && !(interface.change() <= gasTolerance); iter++)
-        {
-            #include "gasRows.H"
-            pressure.correct(gas, interface.rate());
-            interface.linearise(T, Y, energy);
-            gas.correct();
-            #include "gasFluxEqn.H"
-            #include "YEqn.H"
-            interface.assemble(Y);
-            liquidSpecies.solve(phiL, T, p0, false);
-            #include "TEqn.H"
-        }
-        #include "checkGas.H"
-        #include "storeGas.H"
+        #include "solveGas.H"
 
         interface.distribute();
         leaving.primitiveFieldRef() =

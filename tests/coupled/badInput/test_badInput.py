@@ -50,7 +50,7 @@ REFUSALS = {
         {'engine': 'ligghts'},
         ('particleProperties', 'Unknown engine', 'ligghts', 'liggghts', 'prescribed')),
     'engine missing': (
-        {'engine': None}, ('particleProperties', "'engine'", 'not found')),
+        {'engine': None}, ('particleProperties', "'engine'", 'Missing entry', 'liggghts')),
     'wall unknown': (
         {'walls/sides/type': 'patches'},
         ('particleProperties', 'walls', 'sides', 'Unknown wall', 'patches', 'cylinder', 'plane', 'STL')),
