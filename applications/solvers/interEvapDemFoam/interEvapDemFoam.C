@@ -69,6 +69,16 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createCaseMesh.H"
 
+    if (mesh.dynamic())
+    {
+        FatalErrorInFunction
+            << "constant/dynamicMeshDict: " << mesh.type() << " moves or changes"
+            << " the mesh, and what evaporates is held by cells of a mesh at"
+            << " rest" << nl
+            << "Remove the file, or use 'dynamicFvMesh staticFvMesh;'"
+            << exit(FatalError);
+    }
+
     dictionary surfaceProperties
     (
         dew::caseDictionary(runTime, "surfaceProperties")

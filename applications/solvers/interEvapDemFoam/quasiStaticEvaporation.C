@@ -29,6 +29,7 @@ Description
 
 #include "caseDictionary.H"
 #include "checkInLiquid.H"
+#include "checkOptionFields.H"
 #include "couplingCheck.H"
 #include "evaporationLedger.H"
 #include "exponentialFitted.H"
@@ -65,6 +66,7 @@ void Foam::dew::evaporate
     #include "createControl.H"
     #include "createTimeControls.H"
     #include "createFields.H"
+    dew::checkOptionFields(fv::options::New(mesh), mesh, wordList());
 
     dew::particleOutput output(mesh, particles);
     dew::particleReport report(runTime, particles, output, exchange);

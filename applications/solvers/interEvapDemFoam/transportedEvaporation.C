@@ -25,7 +25,6 @@ Description
 
 #include "evaporations.H"
 
-#include "dynamicFvMesh.H"
 #include "fvCFD.H"
 #include "fvOptions.H"
 #include "gaussConvectionScheme.H"
@@ -72,20 +71,10 @@ Foam::dictionary Foam::dew::evaporate
 (
     argList& args,
     Time& runTime,
-    dynamicFvMesh& mesh,
+    fvMesh& mesh,
     transportedSurface& surface
 )
 {
-    if (mesh.dynamic())
-    {
-        FatalErrorInFunction
-            << "constant/dynamicMeshDict: " << mesh.type() << " moves or changes"
-            << " the mesh, and what evaporates is held by cells of a mesh at"
-            << " rest" << nl
-            << "Remove the file, or use 'dynamicFvMesh staticFvMesh;'"
-            << exit(FatalError);
-    }
-
     #include "createControl.H"
     #include "createTimeControls.H"
     #include "createTransported.H"
@@ -196,7 +185,14 @@ Foam::dictionary Foam::dew::evaporate
         if (thin.due())
         {
             // What is on its way leaves now; the quasi-static p is another one
-            surface.recede(leaving.primitiveField()*mesh.V()/rhoL, alphacFluid);
+            ledger.giveBack
+            (
+                surface.recede
+                (
+                    leaving.primitiveField()*mesh.V()/rhoL, alphacFluid
+                ),
+                liquidSpecies
+            );
             surface.correct(flow, true);
             leaving == dimensionedScalar(dimDensity, Zero);
             p.writeOpt() = IOobject::NO_WRITE;

@@ -4,7 +4,7 @@ import importlib.util
 
 import pytest
 
-from dewCase import run_command
+from dewCase import environment, run_command
 
 LIQUIDS = """
 liquids { ethanol { type library; } water { type library; } }
@@ -78,7 +78,13 @@ def test_mixtures(case):
     assert rows[0]['rho'] == pytest.approx(101325*W/(8.314462618*300), rel=1e-6)
 
 
-def test_picture(tmp_path):
+def test_picture(tmp_path, monkeypatch):
+    # Another interpreter that comes first in PATH must not be taken
+    other = tmp_path / 'bin' / 'python3'
+    other.parent.mkdir()
+    other.write_text('#!/bin/sh\nexit 1\n')
+    other.chmod(0o755)
+    monkeypatch.setitem(environment(), 'PATH', f'{other.parent}:{environment()["PATH"]}')
     _, printed = table(tmp_path, '-liquid', 'water', '-T', '(280 360 5)', '-plot', 'table.png')
     if importlib.util.find_spec('matplotlib'):
         assert (tmp_path / 'table.png').stat().st_size > 1000

@@ -48,6 +48,8 @@ def fresh(path, name):
                                   pytest.param('interDemFoam/thermocapillaryDrop', marks=pytest.mark.slow),
                                   'interDemFoam/risingBubble', 'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
                                   'interEvapDemFoam/stefanProblem',
+                                  pytest.param('interEvapDemFoam/evaporatingFilm', marks=pytest.mark.slow),
+                                  pytest.param('interEvapDemFoam/suspendedDroplet', marks=pytest.mark.slow),
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):
     case = fresh(tmp_path / 'case', name)

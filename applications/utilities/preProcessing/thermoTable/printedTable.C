@@ -97,9 +97,12 @@ void Foam::dew::printedTable::plot(const fileName& csv, const fileName& picture)
         "fig.tight_layout()\n"
         "fig.savefig(sys.argv[2])\n"
     );
+    // etc/bashrc names the interpreter: another may come first in PATH
+    const string python(getEnv("DEW_PYTHON"));
     const int failed = Foam::system
     (
-        "python3 -c '" + script + "' '" + csv + "' '" + picture
+        (python.empty() ? string("python3") : python)
+      + " -c '" + script + "' '" + csv + "' '" + picture
       + "' 2> /dev/null"
     );
     if (failed)

@@ -24,6 +24,17 @@ namespace curvatureModels
 }
 }
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Less of a cell, or so much that less is missing, says nothing of K
+constexpr Foam::scalar sliver = 1e-3;
+
+} // End anonymous namespace
+
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -274,9 +285,15 @@ void Foam::dew::curvatureModels::heightFunction::calculate
     bool any = false;
     forAll(left, i)
     {
-        // Neighbours know better, but for the contact angle
+        // Of a cell that the surface has hardly come to neighbours know better,
+        // but for the contact angle
         const label celli = left[i];
-        if (columns.fits(celli) && isNear(columns, celli, exact))
+        if
+        (
+            min(alpha_[celli], 1 - alpha_[celli]) < sliver
+         && columns.fits(celli)
+         && isNear(columns, celli, exact)
+        )
         {
             nLeft_++;
             left[i] = -1;
