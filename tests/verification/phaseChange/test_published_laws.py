@@ -139,10 +139,11 @@ def drop(kind, path, law, n=10, ideal=False, energy=False, **control):
     return case
 
 
-@pytest.mark.parametrize('n, off', [(10, 0.03), (20, 0.015)])
+@pytest.mark.parametrize('n, off', [(10, -0.0227), (20, -0.0010)])
 def test_saufi_around_a_drop(tmp_path, n, off):
-    """Half a drop, rate over that of the law diffusion on the same mesh, which is 0.6 % below that of a sphere: -2.3 % with
-    10 cells to its radius, and -0.1 % with 20. Half a cell would be 5 % and 2.5 %."""
+    """Half a drop, rate over that of the law diffusion on the same mesh, which is 0.6 % below that of a sphere. Half a cell
+    would be 5 % with 10 cells to its radius, and 2.5 % with 20; -2.27 and -0.10 % are no others' numbers but measured here,
+    to know how far the scheme is off."""
     rates = []
     for law in ('diffusion', 'saufi'):
         case = drop(EvaporationCase, tmp_path / law, {'type': law}, n, endTime=1)
@@ -152,7 +153,7 @@ def test_saufi_around_a_drop(tmp_path, n, off):
         rates.append(case.ledger().rate[0])
     sphere = 2 * np.pi * 1e-3 * RHO_GAS * 2.5e-5 * -np.log(1 - saturated())
     assert abs(rates[0] / sphere - 1) < 0.01
-    assert 1e-4 < abs(rates[1] / rates[0] - 1) < off, rates
+    assert abs(rates[1] / rates[0] - 1) < 0.5 / n and abs(rates[1] / rates[0] - 1 - off) < 1e-3, rates
 
 
 @pytest.mark.parametrize('law', ['saufi', 'speciesDiffusion'])
