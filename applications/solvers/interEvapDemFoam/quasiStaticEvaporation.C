@@ -36,6 +36,7 @@ Description
 #include "gasMixture.H"
 #include "gasPhase.H"
 #include "gasPressure.H"
+#include "heatLedger.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
 #include "liquidPhase.H"
@@ -115,6 +116,10 @@ void Foam::dew::evaporate
 
         surface.report(Info);
         ledger.report(gMax(scalarField(mag(U.primitiveField())*(1 - dry))));
+        if (heatLedger.valid())
+        {
+            heatLedger->report();
+        }
         pressure.report();
         exchange.report();
 

@@ -47,6 +47,7 @@ Description
 #include "gasPhase.H"
 #include "gasPressure.H"
 #include "handOver.H"
+#include "heatLedger.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
 #include "linearGradient.H"
@@ -179,6 +180,10 @@ Foam::dictionary Foam::dew::evaporate
 
         #include "surfaceReport.H"
         ledger.report(gMax(mag(U.primitiveField())));
+        if (heatLedger.valid())
+        {
+            heatLedger->report();
+        }
         pressure.report();
         exchange.report();
 

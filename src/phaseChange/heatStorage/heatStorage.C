@@ -26,6 +26,12 @@ Foam::dew::heatStorage::heatStorage
     (
         held("capacity.liquid", dimEnergy/dimVolume/dimTemperature)
     ),
+    C0_
+    (
+        IOobject("C0", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimEnergy/dimVolume/dimTemperature, Zero)
+    ),
     T0_
     (
         IOobject("T0", mesh.time().timeName(), mesh),
@@ -83,6 +89,48 @@ void Foam::dew::heatStorage::store
 }
 
 
+Foam::scalar Foam::dew::heatStorage::meanT() const
+{
+    return
+        gSum
+        (
+            scalarField
+            (
+                (heatGas_.primitiveField() + heatLiquid_.primitiveField())
+               *mesh_.V()
+            )
+        )
+       /gSum
+        (
+            scalarField
+            (
+                (
+                    capacityGas_.primitiveField()
+                  + capacityLiquid_.primitiveField()
+                )
+               *mesh_.V()
+            )
+        );
+}
+
+
+Foam::scalar Foam::dew::heatStorage::held(const scalar Tref) const
+{
+    return gSum
+    (
+        scalarField
+        (
+            (
+                heatGas_.primitiveField() - Tref*capacityGas_.primitiveField()
+              + heatLiquid_.primitiveField()
+              - Tref*capacityLiquid_.primitiveField()
+            )
+           *mesh_.V()
+        )
+    );
+}
+
+
 void Foam::dew::heatStorage::move(const volScalarField& T)
 {
     const scalarField C
@@ -98,6 +146,7 @@ void Foam::dew::heatStorage::move(const volScalarField& T)
 
     forAll(C, celli)
     {
+        C0_[celli] = C[celli]/mesh_.V()[celli];
         T0_[celli] = C[celli] > 0 ? H[celli]/C[celli] : T[celli];
     }
 }

@@ -126,6 +126,54 @@ void Foam::dew::interfaceTransfer::heat
 }
 
 
+void Foam::dew::interfaceTransfer::heatRates
+(
+    const volScalarField& T,
+    const scalar Tref,
+    scalar& latent,
+    scalar& gas,
+    scalar& liquid
+) const
+{
+    vector rates(Zero);
+    forAll(faces_.faces(), k)
+    {
+        const scalar TG = T[faces_.faces()[k].gas];
+        for (label i = 0; i < size(); i++)
+        {
+            const scalar m = through(k, i);
+            if (m != 0)
+            {
+                const auto& l = liquid_.liquids().liquid(i);
+                const scalar TV = m > 0 ? Ts_[k] : TG;
+                const scalar TL = m > 0 ? TN_[k] : Ts_[k];
+                rates[0] += m*l.hv(p0_, Ts_[k]);
+                rates[1] += m*gas_.CpVapour(i, TV)*(TV - Tref);
+                rates[2] += m*l.Cp(p0_, TL)*(TL - Tref);
+            }
+        }
+    }
+    reduce(rates, sumOp<vector>());
+    latent = rates[0];
+    gas = rates[1];
+    liquid = rates[2];
+}
+
+
+Foam::scalar Foam::dew::interfaceTransfer::wallHeat() const
+{
+    scalar heat = 0;
+    forAll(faces_.faces(), k)
+    {
+        if (faces_.faces()[k].wall)
+        {
+            heat += KL_[k]*(TN_[k] - Ts_[k]);
+        }
+    }
+    return returnReduce(heat, sumOp<scalar>());
+}
+
+
 Foam::tmp<Foam::scalarField> Foam::dew::interfaceTransfer::sourceOf
 (
     const scalar factor
