@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "heatStorage.H"
+#include "interfaceTransfer.H"
 #include "phaseRegion.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -12,11 +13,13 @@
 Foam::dew::heatStorage::heatStorage
 (
     const fvMesh& mesh,
+    const interfaceTransfer& interface,
     const phaseRegion& gas,
     const phaseRegion& liquid
 )
 :
     mesh_(mesh),
+    interface_(interface),
     gas_(gas),
     liquid_(liquid),
     heatGas_(held("heat.gas", dimEnergy/dimVolume)),
@@ -37,7 +40,9 @@ Foam::dew::heatStorage::heatStorage
         IOobject("T0", mesh.time().timeName(), mesh),
         mesh,
         dimensionedScalar(dimTemperature, Zero)
-    )
+    ),
+    lessC_("lessC", C0_),
+    lessH_("lessH", lessC_*T0_)
 {}
 
 
@@ -65,11 +70,85 @@ Foam::volScalarField Foam::dew::heatStorage::held
 }
 
 
+Foam::scalarField Foam::dew::heatStorage::less
+(
+    const phaseRegion& region,
+    const scalarField& C
+) const
+{
+    scalarField perVolume(C.size(), Zero);
+    forAll(C, celli)
+    {
+        if (region.V()[celli] > 0)
+        {
+            perVolume[celli] = C[celli]/region.V()[celli];
+        }
+    }
+    scalarField values
+    (
+        (1 - region.depth())*region.beyond()*region.onFaces(perVolume, false)
+    );
+    forAll(values, k)
+    {
+        // Not known before the first step
+        if (interface_.Ts(k) <= 0)
+        {
+            values[k] = 0;
+        }
+    }
+    return values;
+}
+
+
+void Foam::dew::heatStorage::store
+(
+    const phaseRegion& region,
+    const scalarField& C,
+    const scalarField& T,
+    scalarField& heat,
+    scalarField& capacity
+) const
+{
+    capacity = region.giveBack(C);
+    heat = region.giveBack(C*T);
+
+    scalarField values(less(region, C));
+    const scalarField ofCells(region.onFaces(T, false));
+    forAll(values, k)
+    {
+        values[k] *= interface_.Ts(k) - ofCells[k];
+    }
+    scalarField beyond(C.size(), Zero);
+    region.toCells(values, beyond, true);
+    heat += beyond/mesh_.V();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::dew::heatStorage::read() const
 {
     return gMin(capacityGas_.primitiveField()) >= 0;
+}
+
+
+void Foam::dew::heatStorage::correct(const scalarField& rhoCp)
+{
+    const scalarField C(rhoCp*mesh_.V());
+    lessC_.field() = 0;
+    lessH_.field() = 0;
+    for (const phaseRegion* region : {&gas_, &liquid_})
+    {
+        scalarField values(less(*region, C));
+        region->toCells(values, lessC_.field());
+        forAll(values, k)
+        {
+            values[k] *= interface_.Ts(k);
+        }
+        region->toCells(values, lessH_.field());
+    }
+    lessC_.field() /= mesh_.V();
+    lessH_.field() /= mesh_.V();
 }
 
 
@@ -80,12 +159,16 @@ void Foam::dew::heatStorage::store
 )
 {
     const scalarField C(rhoCp*mesh_.V());
-    const scalarField H(C*T.primitiveField());
-
-    capacityGas_.primitiveFieldRef() = gas_.giveBack(C);
-    heatGas_.primitiveFieldRef() = gas_.giveBack(H);
-    capacityLiquid_.primitiveFieldRef() = liquid_.giveBack(C);
-    heatLiquid_.primitiveFieldRef() = liquid_.giveBack(H);
+    store
+    (
+        gas_, C, T.primitiveField(),
+        heatGas_.primitiveFieldRef(), capacityGas_.primitiveFieldRef()
+    );
+    store
+    (
+        liquid_, C, T.primitiveField(),
+        heatLiquid_.primitiveFieldRef(), capacityLiquid_.primitiveFieldRef()
+    );
 }
 
 

@@ -36,10 +36,11 @@ bool Foam::dew::phaseRegion::inside(const label celli) const
 void Foam::dew::phaseRegion::toCells
 (
     const UList<scalar>& values,
-    scalarField& cells
+    scalarField& cells,
+    const bool other
 ) const
 {
-    if (side_ == side::liquid)
+    if ((side_ == side::liquid) != other)
     {
         faces_.toLiquid(values, cells);
         return;
@@ -124,6 +125,34 @@ void Foam::dew::phaseRegion::correct(const scalarField& own)
     V_.setSize(mesh_.nCells());
     V_ = 0;
     V_ = collect(own_/mesh_.V());
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::beyond() const
+{
+    scalarField perWeight(mesh_.nCells(), Zero);
+    forAll(perWeight, celli)
+    {
+        if (weightOf_[celli] > VSMALL)
+        {
+            perWeight[celli] = own_[celli]/weightOf_[celli];
+        }
+    }
+    return w_*onFaces(perWeight, true);
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::depth() const
+{
+    tmp<scalarField> tdepth(beyond());
+    scalarField& depth = tdepth.ref();
+    forAll(depth, k)
+    {
+        const interfaceFace& face = faces_.faces()[k];
+        const scalar d = side_ == side::gas ? face.dG : face.dL;
+        depth[k] = min(0.5*depth[k]/max(d*w_[k], VSMALL), scalar(1));
+    }
+    return tdepth;
 }
 
 
