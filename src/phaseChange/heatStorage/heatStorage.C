@@ -8,6 +8,32 @@
 #include "interfaceTransfer.H"
 #include "phaseRegion.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Capacity per volume of the phase [J/m3/K]
+Foam::scalarField perVolume
+(
+    const Foam::dew::phaseRegion& region,
+    const Foam::scalarField& C
+)
+{
+    Foam::scalarField values(C.size(), Foam::Zero);
+    forAll(C, celli)
+    {
+        if (region.V()[celli] > 0)
+        {
+            values[celli] = C[celli]/region.V()[celli];
+        }
+    }
+    return values;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dew::heatStorage::heatStorage
@@ -76,17 +102,10 @@ Foam::scalarField Foam::dew::heatStorage::less
     const scalarField& C
 ) const
 {
-    scalarField perVolume(C.size(), Zero);
-    forAll(C, celli)
-    {
-        if (region.V()[celli] > 0)
-        {
-            perVolume[celli] = C[celli]/region.V()[celli];
-        }
-    }
     scalarField values
     (
-        (1 - region.depth())*region.beyond()*region.onFaces(perVolume, false)
+        (1 - region.depth())*region.beyond()
+       *region.onFaces(perVolume(region, C), false)
     );
     forAll(values, k)
     {
@@ -100,27 +119,40 @@ Foam::scalarField Foam::dew::heatStorage::less
 }
 
 
+Foam::scalarField Foam::dew::heatStorage::lessInside
+(
+    const phaseRegion& region,
+    const scalarField& C
+) const
+{
+    return region.offset()*region.own()*perVolume(region, C);
+}
+
+
 void Foam::dew::heatStorage::store
 (
     const phaseRegion& region,
     const scalarField& C,
-    const scalarField& T,
+    const volScalarField& T,
     scalarField& heat,
     scalarField& capacity
 ) const
 {
     capacity = region.giveBack(C);
-    heat = region.giveBack(C*T);
+    heat = region.giveBack(C*T.primitiveField());
 
     scalarField values(less(region, C));
-    const scalarField ofCells(region.onFaces(T, false));
+    const scalarField ofCells(region.onFaces(T.primitiveField(), false));
     forAll(values, k)
     {
         values[k] *= interface_.Ts(k) - ofCells[k];
     }
-    scalarField beyond(C.size(), Zero);
-    region.toCells(values, beyond, true);
-    heat += beyond/mesh_.V();
+    scalarField off
+    (
+        lessInside(region, C)*(region.furtherIn(T) - T.primitiveField())
+    );
+    region.toCells(values, off, true);
+    heat += off/mesh_.V();
 }
 
 
@@ -132,7 +164,11 @@ bool Foam::dew::heatStorage::read() const
 }
 
 
-void Foam::dew::heatStorage::correct(const scalarField& rhoCp)
+void Foam::dew::heatStorage::correct
+(
+    const volScalarField& T,
+    const scalarField& rhoCp
+)
 {
     const scalarField C(rhoCp*mesh_.V());
     lessC_.field() = 0;
@@ -146,6 +182,10 @@ void Foam::dew::heatStorage::correct(const scalarField& rhoCp)
             values[k] *= interface_.Ts(k);
         }
         region->toCells(values, lessH_.field());
+
+        const scalarField inside(lessInside(*region, C));
+        lessC_.field() += inside;
+        lessH_.field() += inside*region->furtherIn(T);
     }
     lessC_.field() /= mesh_.V();
     lessH_.field() /= mesh_.V();
@@ -161,12 +201,12 @@ void Foam::dew::heatStorage::store
     const scalarField C(rhoCp*mesh_.V());
     store
     (
-        gas_, C, T.primitiveField(),
+        gas_, C, T,
         heatGas_.primitiveFieldRef(), capacityGas_.primitiveFieldRef()
     );
     store
     (
-        liquid_, C, T.primitiveField(),
+        liquid_, C, T,
         heatLiquid_.primitiveFieldRef(), capacityLiquid_.primitiveFieldRef()
     );
 }

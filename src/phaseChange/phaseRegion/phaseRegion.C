@@ -122,6 +122,20 @@ void Foam::dew::phaseRegion::correct(const scalarField& own)
         }
     }
 
+    inwards_.setSize(mesh_.nCells());
+    for (direction cmpt = 0; cmpt < vector::nComponents; cmpt++)
+    {
+        scalarField values(faces.size());
+        forAll(faces, k)
+        {
+            values[k] =
+                w_[k]*faces[k].n[cmpt]*(side_ == side::gas ? 1 : -1);
+        }
+        scalarField sums(mesh_.nCells(), Zero);
+        toCells(values, sums);
+        inwards_.replace(cmpt, sums);
+    }
+
     V_.setSize(mesh_.nCells());
     V_ = 0;
     V_ = collect(own_/mesh_.V());
@@ -153,6 +167,78 @@ Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::depth() const
         depth[k] = min(0.5*depth[k]/max(d*w_[k], VSMALL), scalar(1));
     }
     return tdepth;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::offset() const
+{
+    auto toffset = tmp<scalarField>::New(mesh_.nCells(), Zero);
+    scalarField& offset = toffset.ref();
+    forAll(offset, celli)
+    {
+        if (inside(celli) && magSqr(inwards_[celli]) > 0)
+        {
+            offset[celli] =
+                0.5*(1 - min(own_[celli]/mesh_.V()[celli], scalar(1)));
+        }
+    }
+    return toffset;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::furtherIn
+(
+    const volScalarField& f
+) const
+{
+    scalarField sum(mesh_.nCells(), Zero), weight(mesh_.nCells(), Zero);
+    const auto see = [&]
+    (
+        const label celli, const vector& S, const scalar there, const scalar same
+    )
+    {
+        const scalar w = same*max(S & inwards_[celli], scalar(0));
+        sum[celli] += w*there;
+        weight[celli] += w;
+    };
+
+    const surfaceVectorField& Sf = mesh_.Sf();
+    const surfaceScalarField& same = faces_.sameSide();
+    forAll(mesh_.owner(), facei)
+    {
+        const label P = mesh_.owner()[facei];
+        const label N = mesh_.neighbour()[facei];
+        see(P, Sf[facei], f[N], same[facei]);
+        see(N, -Sf[facei], f[P], same[facei]);
+    }
+    for (const fvPatchScalarField& fb : f.boundaryField())
+    {
+        if (fb.coupled())
+        {
+            const fvPatch& patch = fb.patch();
+            const scalarField there(fb.patchNeighbourField());
+            forAll(patch, facei)
+            {
+                see
+                (
+                    patch.faceCells()[facei],
+                    Sf.boundaryField()[patch.index()][facei],
+                    there[facei],
+                    same.boundaryField()[patch.index()][facei]
+                );
+            }
+        }
+    }
+
+    auto tvalues = tmp<scalarField>::New(f.primitiveField());
+    forAll(weight, celli)
+    {
+        if (weight[celli] > VSMALL)
+        {
+            tvalues.ref()[celli] = sum[celli]/weight[celli];
+        }
+    }
+    return tvalues;
 }
 
 
