@@ -68,7 +68,14 @@ Foam::dew::heatStorage::heatStorage
         dimensionedScalar(dimTemperature, Zero)
     ),
     lessC_("lessC", C0_),
-    lessH_("lessH", lessC_*T0_)
+    lessH_("lessH", lessC_*T0_),
+    before_
+    (
+        IOobject("Tbefore", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimTemperature, Zero)
+    ),
+    wasGas_(interface.faces().gas())
 {}
 
 
@@ -272,6 +279,18 @@ void Foam::dew::heatStorage::move(const volScalarField& T)
         C0_[celli] = C[celli]/mesh_.V()[celli];
         T0_[celli] = C[celli] > 0 ? H[celli]/C[celli] : T[celli];
     }
+
+    const boolList& isGas = interface_.faces().gas();
+    before_ == T;
+    forAll(isGas, celli)
+    {
+        if (isGas[celli] != wasGas_[celli])
+        {
+            before_[celli] = T0_[celli];
+        }
+    }
+    before_.correctBoundaryConditions();
+    wasGas_ = isGas;
 }
 
 
