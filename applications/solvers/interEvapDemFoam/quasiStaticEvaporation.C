@@ -26,6 +26,7 @@ Description
 #include "gaussConvectionScheme.H"
 #include "pimpleControl.H"
 #include "wallFvPatch.H"
+#include "weighted.H"
 
 #include "caseDictionary.H"
 #include "checkInLiquid.H"

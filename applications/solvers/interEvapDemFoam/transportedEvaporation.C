@@ -32,6 +32,7 @@ Description
 #include "reverseLinear.H"
 #include "turbulentTransportModel.H"
 #include "wallFvPatch.H"
+#include "weighted.H"
 
 #include "boundaryForces.H"
 #include "caseDictionary.H"

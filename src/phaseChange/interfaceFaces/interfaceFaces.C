@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "interfaceFaces.H"
+#include "localMax.H"
 #include "surfaceMotion.H"
 #include "syncTools.H"
 #include "wallFvPatch.H"
@@ -180,6 +181,25 @@ void Foam::dew::interfaceFaces::correct()
             }
         }
     }
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::dew::interfaceFaces::beside() const
+{
+    volScalarField cells
+    (
+        IOobject("besideSurface", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero)
+    );
+    for (const interfaceFace& face : faces_)
+    {
+        cells[face.gas] = 1;
+    }
+    toLiquid(scalarField(faces_.size(), 1), cells.primitiveFieldRef());
+    cells.primitiveFieldRef() = pos(cells.primitiveField() - 0.5);
+    cells.correctBoundaryConditions();
+    return localMax<scalar>(mesh_).interpolate(cells);
 }
 
 
