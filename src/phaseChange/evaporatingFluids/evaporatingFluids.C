@@ -62,6 +62,7 @@ Foam::dew::evaporatingFluids::evaporatingFluids
     rho1_("rho1", dimDensity, rhoL),
     rho2_("rho2", dimDensity, 0),
     rho_(property("rho", T.mesh(), dimDensity, IOobject::AUTO_WRITE)),
+    rhoWeight_(property("rhoWeight", T.mesh(), dimDensity)),
     mu1_(property("mu1", T.mesh(), dimDynamicViscosity)),
     mu2_(property("mu2", T.mesh(), dimDynamicViscosity)),
     mu_(property("mu", T.mesh(), dimDynamicViscosity)),
@@ -86,8 +87,13 @@ void Foam::dew::evaporatingFluids::correct()
         const scalar T = T_[celli];
 
         rho_[celli] = a*rho1_.value() + (1 - a)*rhoGas_[celli];
-        mu1_[celli] =
-            liquid_.liquids().mu(p0_, min(T, Tboil), liquid_.x(celli));
+        const scalar Tl = min(T, Tboil);
+        const scalarField& x = liquid_.x(celli);
+        // Of a cell of the gas T is not that of the liquid
+        rhoWeight_[celli] =
+            rho_[celli]
+          + (a < 0.5 ? 0 : a*(liquid_.liquids().rho(p0_, Tl, x) - rho1_.value()));
+        mu1_[celli] = liquid_.liquids().mu(p0_, Tl, x);
         mu2_[celli] = gas_.mu(T, a < 0.5 ? Y_.cell(celli) : noVapour);
         mu_[celli] = a*mu1_[celli] + (1 - a)*mu2_[celli];
         nu_[celli] = mu_[celli]/rho_[celli];
@@ -100,6 +106,7 @@ void Foam::dew::evaporatingFluids::correct()
     rho2_.value() = volume > 0 ? mass/volume : gAverage(rhoGas_);
 
     rho_.correctBoundaryConditions();
+    rhoWeight_.correctBoundaryConditions();
     mu1_.correctBoundaryConditions();
     mu2_.correctBoundaryConditions();
     mu_.correctBoundaryConditions();
