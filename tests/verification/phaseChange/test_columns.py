@@ -5,6 +5,7 @@ numbers of sets A and B those of columnCase.Stefan solved by hand; Stefan's tube
 Transport Phenomena, section 18.2. Tolerances: some more than measured here, which is stated beside them.
 """
 import re
+import shutil
 
 import numpy as np
 import pytest
@@ -110,25 +111,26 @@ def sucking(path, n, dT=5.0, surface=None, t0=0.1, end=0.5):
 
 
 def test_sucking_interface(tmp_path):
-    """With 100 cells, one and a half in the layer that the liquid boils off: 4.6 %."""
-    assert abs(sucking(tmp_path, 100)[0]) < 0.06
+    """With 100 cells, three in the layer that the liquid boils off: 6.7 %."""
+    assert abs(sucking(tmp_path, 100)[0]) < 0.08
 
 
 def test_sucking_interface_coarse(tmp_path):
-    """No blow-up where the mesh does not see the layer: 14 % with 50 cells."""
-    assert abs(sucking(tmp_path, 50)[0]) < 0.25
+    """No blow-up where the mesh hardly sees the layer: 27 % with 50 cells."""
+    assert abs(sucking(tmp_path, 50)[0]) < 0.32
 
 
 def test_sucking_interface_fine(tmp_path):
-    """0.34 % with 200 cells."""
-    assert abs(sucking(tmp_path, 200)[0]) < 5e-3
+    """1.5 % with 200 cells: second order. 0.66 % with 400."""
+    assert abs(sucking(tmp_path, 200)[0]) < 0.02
 
 
-def test_condensation_on_cold_liquid(tmp_path):
-    """The sucking interface reversed: the liquid, colder by a tenth of that, takes the gas; 0.1 % with 200 cells."""
-    error, case = sucking(tmp_path, 200, dT=-0.5, surface=5e-3)
+@pytest.mark.parametrize('n, mark', [(100, 0.02), (200, 0.02)])
+def test_condensation_on_cold_liquid(tmp_path, n, mark):
+    """The sucking interface reversed: the liquid takes the gas; -0.6 % with 100 cells, -1.4 % with 200, -0.4 % with 400."""
+    error, case = sucking(tmp_path, n, dT=-5.0, surface=5e-3)
     assert case.ledger().rate.max() < 0
-    assert abs(error) < 0.02
+    assert abs(error) < mark
 
 
 def tube(path, name='water', n=75, L=1.51e-3, surface=0.51e-3, transient=True, energy=False, x_infinity=0.0, **keywords):
@@ -223,6 +225,8 @@ def test_closed_adiabatic_column(tmp_path, mirrored):
     case.gas['carrier'] = {'type': 'constant', 'W': 28.9647, 'Cp': cpAir, 'kappa': 0.026, 'mu': 1.8e-5}
     case.gas['vapour']['Cp'] = case.liquid['Cp']
     case.liquid.update(hv=2.442e6, Tboil=373.15)
+    case.T_low = None
+    shutil.rmtree(tmp_path / '0')
     case.write()
     output = case.go()
     assert case.errors(output).max() < 1e-10
