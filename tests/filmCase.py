@@ -19,7 +19,7 @@ LATERAL = {'yMin': '(0 1 5 4)', 'yMax': '(3 7 6 2)', 'zMin': '(0 3 2 1)', 'zMax'
 class FilmCase(ColumnCase):
     def __init__(self, path, cells, length, surface, sides=2, closed=False, **control):
         super().__init__(path, cells, length, surface, gas_first=False, **control)
-        self.sides, self.closed, self.sigma, self.upwards = sides, closed, 0, 1
+        self.sides, self.closed = sides, closed
 
     ledger = FluidCase.ledger
     evaporated = ColumnCase.ledger
@@ -56,8 +56,11 @@ class FilmCase(ColumnCase):
     def write(self):
         super().write()
         self.write_dict('constant/surfaceProperties', {
-            'liquid': 'water', 'surfaceMotion': {'type': 'isoAdvector'}, 'surfaceTension': {'sigma': self.sigma},
+            'liquid': 'water', 'surfaceMotion': {'type': 'isoAdvector'}, 'surfaceTension': {'sigma': 0},
             'curvature': {'type': 'gradAlpha'}})
+        if self.closed:
+            path = self.path/'system/fvSolution'
+            path.write_text(path.read_text().replace('PIMPLE\n{', 'PIMPLE\n{\n    pRefCell 0;\n    pRefValue 0;', 1))
 
     def spheres(self, positions, d, engine='liggghts', density=2500.0, heatCapacity=500.0, coupling=None, T=None,
                 modulus=1e4, **properties):
