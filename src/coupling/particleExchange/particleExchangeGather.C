@@ -238,7 +238,8 @@ void Foam::dew::particleExchange::cut(const label i, carrier& c) const
     const scalar rho2 = fluid_.rho2->value();
     c.rho = rho2 + share*(rho1 - rho2);
     c.mu = s.mu2 + share*(s.mu1 - s.mu2);
-    c.U += (1 - share)*s.dU;
+    // As each of them drags at it
+    c.U += (1 - share)*s.mu2/c.mu*s.dU;
     if (heatTransfer_ && fluid_.kappa1)
     {
         c.kappa = s.kappa2 + share*(s.kappa1 - s.kappa2);
