@@ -177,7 +177,7 @@ Foam::dictionary Foam::dew::evaporate
             runTime.deltaTValue()*expansion.primitiveField();
 
         // What the particles will see of it
-        surface.correctSpeed(U);
+        #include "carryingFlux.H"
 
         #include "surfaceReport.H"
         ledger.report(gMax(mag(U.primitiveField())));

@@ -14,6 +14,16 @@
 namespace
 {
 
+const Foam::dimensionSet conductivity
+(
+    Foam::dimPower/Foam::dimLength/Foam::dimTemperature
+);
+const Foam::dimensionSet heatCapacity
+(
+    Foam::dimEnergy/Foam::dimMass/Foam::dimTemperature
+);
+
+
 Foam::volScalarField property
 (
     const Foam::word& name,
@@ -66,9 +76,50 @@ Foam::dew::evaporatingFluids::evaporatingFluids
     mu1_(property("mu1", T.mesh(), dimDynamicViscosity)),
     mu2_(property("mu2", T.mesh(), dimDynamicViscosity)),
     mu_(property("mu", T.mesh(), dimDynamicViscosity)),
-    nu_(property("nu", T.mesh(), dimViscosity))
+    nu_(property("nu", T.mesh(), dimViscosity)),
+    thermal_(false),
+    kappa1_(property("kappa1", T.mesh(), conductivity)),
+    kappa2_(property("kappa2", T.mesh(), conductivity)),
+    kappa_(property("kappaFluids", T.mesh(), conductivity)),
+    Cp1_(property("Cp1", T.mesh(), heatCapacity)),
+    Cp2_(property("Cp2", T.mesh(), heatCapacity)),
+    Cp_(property("CpFluids", T.mesh(), heatCapacity))
 {
     correct();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::evaporatingFluids::correctThermal()
+{
+    const scalar Tboil = liquid_.Tboil(p0_);
+    const scalarField noVapour(Y_.size(), Zero);
+
+    forAll(kappa_, celli)
+    {
+        const scalar a = min(max(alpha_[celli], scalar(0)), scalar(1));
+        const scalar T = T_[celli];
+        const scalarField& x = liquid_.x(celli);
+        const scalarField& Y = a < 0.5 ? Y_.cell(celli) : noVapour;
+
+        kappa1_[celli] = liquid_.liquids().kappa(p0_, min(T, Tboil), x);
+        Cp1_[celli] = liquid_.liquids().Cp(p0_, min(T, Tboil), x);
+        kappa2_[celli] = gas_.kappa(T, Y);
+        Cp2_[celli] = gas_.Cp(T, Y);
+
+        kappa_[celli] = a*kappa1_[celli] + (1 - a)*kappa2_[celli];
+        Cp_[celli] =
+            (
+                a*rho1_.value()*Cp1_[celli]
+              + (1 - a)*rhoGas_[celli]*Cp2_[celli]
+            )
+           /rho_[celli];
+    }
+    for (volScalarField* f : {&kappa1_, &kappa2_, &kappa_, &Cp1_, &Cp2_, &Cp_})
+    {
+        f->correctBoundaryConditions();
+    }
 }
 
 
@@ -111,6 +162,18 @@ void Foam::dew::evaporatingFluids::correct()
     mu2_.correctBoundaryConditions();
     mu_.correctBoundaryConditions();
     nu_.correctBoundaryConditions();
+
+    if (thermal_)
+    {
+        correctThermal();
+    }
+}
+
+
+void Foam::dew::evaporatingFluids::setThermal()
+{
+    thermal_ = true;
+    correctThermal();
 }
 
 

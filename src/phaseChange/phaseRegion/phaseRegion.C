@@ -19,6 +19,7 @@ Foam::dew::phaseRegion::phaseRegion
     mesh_(mesh),
     faces_(faces),
     side_(s),
+    share_(mesh.nCells(), Zero),
     own_(mesh.nCells(), Zero),
     V_(mesh.nCells(), Zero),
     allWeights_(0)
@@ -92,10 +93,15 @@ Foam::scalarField Foam::dew::phaseRegion::onFaces
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dew::phaseRegion::correct(const scalarField& own)
+void Foam::dew::phaseRegion::correct
+(
+    const scalarField& share,
+    const scalarField& fluids
+)
 {
     const auto& faces = faces_.faces();
-    own_ = own;
+    share_ = share;
+    own_ = share*fluids*mesh_.V();
 
     w_.setSize(faces.size());
     forAll(faces, k)
@@ -142,14 +148,17 @@ void Foam::dew::phaseRegion::correct(const scalarField& own)
 }
 
 
-Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::beyond() const
+Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::beyond
+(
+    const scalarField& cells
+) const
 {
     scalarField perWeight(mesh_.nCells(), Zero);
     forAll(perWeight, celli)
     {
         if (weightOf_[celli] > VSMALL)
         {
-            perWeight[celli] = own_[celli]/weightOf_[celli];
+            perWeight[celli] = cells[celli]/weightOf_[celli];
         }
     }
     return w_*onFaces(perWeight, true);
@@ -158,7 +167,7 @@ Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::beyond() const
 
 Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::depth() const
 {
-    tmp<scalarField> tdepth(beyond());
+    tmp<scalarField> tdepth(beyond(share_*mesh_.V()));
     scalarField& depth = tdepth.ref();
     forAll(depth, k)
     {
@@ -178,8 +187,7 @@ Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::offset() const
     {
         if (inside(celli) && magSqr(inwards_[celli]) > 0)
         {
-            offset[celli] =
-                0.5*(1 - min(own_[celli]/mesh_.V()[celli], scalar(1)));
+            offset[celli] = 0.5*max(1 - share_[celli], scalar(0));
         }
     }
     return toffset;

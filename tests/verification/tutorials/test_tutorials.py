@@ -49,6 +49,7 @@ def fresh(path, name):
                                   'interDemFoam/risingBubble', 'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
                                   'interEvapDemFoam/stefanProblem',
                                   pytest.param('interEvapDemFoam/evaporatingFilm', marks=pytest.mark.slow),
+                                  pytest.param('interEvapDemFoam/filmWithParticles', marks=pytest.mark.slow),
                                   pytest.param('interEvapDemFoam/suspendedDroplet', marks=pytest.mark.slow),
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):
