@@ -75,3 +75,28 @@ TEST(speciesFilm, profilesIntegrated)
         );
     }
 }
+
+
+// The gradients of the film for those at the surface, by hand: j = 0.003 and
+// 0.0006 kg/m2/s, n = 0.0036/0.6, n_i = j_i + n y_si, of the third nothing; and one
+// alone
+TEST(speciesFilm, gradientsOfTheFilm)
+{
+    const scalarField g({0.01, 0.03, 0.02});
+    const scalarField y({0.0, 0.08, 0.0}), ys({0.3, 0.1, 0.0});
+    const scalar n = speciesFilm::total(g, y, ys, true);
+    EXPECT_NEAR(n, 0.006, 1e-16);
+    EXPECT_NEAR(speciesFilm::flux(0.01, 0, 0.3, n, true), 0.0048, 1e-16);
+    EXPECT_NEAR(speciesFilm::flux(0.03, 0.08, 0.1, n, true), 0.0012, 1e-16);
+    EXPECT_NEAR(speciesFilm::slope(g, y, ys, n, true), -0.6, 1e-15);
+    EXPECT_NEAR(stefanFlux::surfaceFlux(0.01, 0.1, 0.6), 0.0125, 1e-16);
+    const scalar h = 1e-6;
+    EXPECT_NEAR
+    (
+        (
+            stefanFlux::surfaceFlux(0.01, 0.1, 0.6 + h)
+          - stefanFlux::surfaceFlux(0.01, 0.1, 0.6 - h)
+        )/(2*h),
+        stefanFlux::dSurfaceFluxdys(0.01, 0.1, 0.6), 1e-10
+    );
+}

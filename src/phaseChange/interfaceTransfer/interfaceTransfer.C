@@ -85,12 +85,16 @@ Foam::dew::interfaceTransfer::interfaceTransfer
     (
         scalarField* f
       : {
-            &film_.Y, &film_.X, &film_.gL, &flux_.N, &flux_.dNdY, &flux_.dNdTs,
+            &YP_, &film_.Y, &film_.X, &film_.gL, &flux_.N, &flux_.dNdY, &flux_.dNdTs,
             &flux_.dNdX, &flux_.Xs
         }
     )
     {
         f->setSize(size());
+    }
+    if (law_->adjacentFilm())
+    {
+        adjacent_.reset(new adjacentGas(faces_, surface_));
     }
     move();
 }
@@ -126,7 +130,11 @@ void Foam::dew::interfaceTransfer::move()
     total_ = 0;
     Ts_ = 0;
     change_ = GREAT;
-    area_ = surface_.area();
+    area_ = cellArea();
+    if (adjacent_.valid())
+    {
+        adjacent_->correct();
+    }
 
     scalar projected = 0;
     for (const interfaceFace& face : faces_.faces())
@@ -134,8 +142,7 @@ void Foam::dew::interfaceTransfer::move()
         projected += face.S*cosine(face);
     }
     reduce(projected, sumOp<scalar>());
-    const scalar area = gSum(area_);
-    areaScale_ = projected > 0 ? area/projected : 1;
+    areaScale_ = projected > 0 ? gSum(area_)/projected : 1;
 }
 
 

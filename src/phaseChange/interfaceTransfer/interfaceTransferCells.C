@@ -7,11 +7,8 @@
 // From the faces between gas and liquid to the cells on both sides
 
 #include "interfaceTransfer.H"
-#include "bitSet.H"
 #include "gasMixture.H"
 #include "liquidPhase.H"
-#include "neighbourSum.H"
-#include "surfaceMotion.H"
 #include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -139,83 +136,6 @@ Foam::tmp<Foam::scalarField> Foam::dew::interfaceTransfer::sourceOf
         source[celli] += factor*through(k)/mesh_.V()[celli];
     }
     return tsource;
-}
-
-
-void Foam::dew::interfaceTransfer::distribute()
-{
-    const auto& faces = faces_.faces();
-
-    // The surface was here over the step, and is there now
-    const scalarField area(0.5*(area_ + surface_.area()));
-
-    // Best fit of N = J n.e: J = sum S N n.e/sum S (n.e)^2
-    scalarField above(mesh_.nCells(), Zero), below(mesh_.nCells(), Zero);
-    scalarField sideAbove(faces.size()), sideBelow(faces.size());
-    forAll(faces, k)
-    {
-        const interfaceFace& face = faces[k];
-        const scalar c = cosine(face);
-        sideAbove[k] = face.S*total_[k]*c;
-        sideBelow[k] = face.S*c*c;
-        above[face.gas] += sideAbove[k];
-        below[face.gas] += sideBelow[k];
-    }
-    faces_.toLiquid(sideAbove, above);
-    faces_.toLiquid(sideBelow, below);
-
-    // By the faces of the cell itself: the flux at a contact line is not that
-    // of its neighbours. A cell that only touches the surface may have none,
-    // and takes those of its neighbours, or of theirs
-    const label nRounds = 4;
-    scalarField J(mesh_.nCells(), Zero);
-    bitSet found(mesh_.nCells());
-    for (label round = 0; round < nRounds; round++)
-    {
-        if (round > 0)
-        {
-            above += neighbourSum<scalar>(mesh_, above);
-            below += neighbourSum<scalar>(mesh_, below);
-        }
-
-        bool all = true;
-        forAll(area, celli)
-        {
-            if (area[celli] > 0 && !found.test(celli))
-            {
-                if (below[celli] > VSMALL)
-                {
-                    J[celli] = above[celli]/below[celli];
-                    found.set(celli);
-                }
-                else
-                {
-                    all = false;
-                }
-            }
-        }
-        if (returnReduce(all, andOp<bool>()))
-        {
-            break;
-        }
-    }
-
-    scalar raw = 0, size = 0;
-    forAll(area, celli)
-    {
-        raw += J[celli]*area[celli];
-        size += mag(J[celli])*area[celli];
-    }
-    reduce(raw, sumOp<scalar>());
-    reduce(size, sumOp<scalar>());
-    const scalar share = size > 0 ? (rate_ - raw)/size : 0;
-
-    scalarField& mDot = mDot_;
-    forAll(area, celli)
-    {
-        mDot[celli] =
-            (J[celli] + share*mag(J[celli]))*area[celli]/mesh_.V()[celli];
-    }
 }
 
 

@@ -46,7 +46,7 @@ void Foam::dew::interfaceTransfer::keep(const label k, const bool heat)
     forAll(flux_.N, i)
     {
         const label ki = k*size() + i;
-        const scalar Y = film_.Y[i];
+        const scalar Y = YP_[i];
         dNdTs_[ki] = flux_.dNdTs[i];
         dTsdY_[ki] = 0;
         scalar dNdY = flux_.dNdY[i];
@@ -161,6 +161,11 @@ void Foam::dew::interfaceTransfer::linearise
     }
     change_ = 0;
     const label n = size();
+    List<scalarField> YG(adjacent_.valid() ? n : 0);
+    forAll(YG, i)
+    {
+        YG[i] = adjacent_->Y(Y[i]);
+    }
     const scalar fixedTs = law_->fixedTs();
     if (fixedTs > 0 && !energy)
     {
@@ -184,11 +189,20 @@ void Foam::dew::interfaceTransfer::linearise
         {
             film.Y *= (1 - 1e-6)/vapours;
         }
+        YP_ = film.Y;
+        film.L = face.dG;
+        if (adjacent_.valid() && adjacent_->L()[k] > 0)
+        {
+            film.L = adjacent_->L()[k];
+            forAll(film.Y, i)
+            {
+                film.Y[i] = YG[i][k];
+            }
+        }
         film.X = SubList<scalar>(XN_, n, k*n);
         flux_.Xs = SubList<scalar>(before > 0 ? Xs_ : XN_, n, k*n);
         liquid_.conductances(p0_, TN_[k], film.X, face.dL, film.gL);
         film.T = T[face.gas];
-        film.L = face.dG;
         film.cosine = cosine(face)*areaScale_;
         film.Ts = before;
         if (film.Ts <= 0)

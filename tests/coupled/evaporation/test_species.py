@@ -43,9 +43,10 @@ def balances(case, output):
     return np.array(re.findall(r'error (\S+); rate', output), dtype=float)
 
 
-@pytest.mark.parametrize('gas', ['constant', 'ideal'])
-@pytest.mark.parametrize('n', [2, 3])
-def test_copies(tmp_path, gas, n):
+@pytest.mark.parametrize('law, gas, n', [
+    ('diffusion', 'constant', 2), ('diffusion', 'constant', 3), ('diffusion', 'ideal', 2), ('diffusion', 'ideal', 3),
+    ('speciesDiffusion', 'ideal', 3), ('saufi', 'ideal', 3)])
+def test_copies(tmp_path, law, gas, n):
     """n times the same species evaporates as one of them. The tolerance is that of the iterations, 1e-11."""
     rates = []
     for m in (1, n):
@@ -61,7 +62,7 @@ def test_copies(tmp_path, gas, n):
                                                  for b in [*names[i + 1:], 'carrier']}}
         if m == 1:
             case.Y_far = {'liquid': 0}
-        case.change['energy'] = True
+        case.change.update(energy=True, evaporation={'type': law})
         case.prepare()
         output = case.go()
         rates.append(case.ledger().rate)
@@ -115,6 +116,20 @@ def test_order_does_not_matter(tmp_path):
         assert tables[0][name] == pytest.approx(tables[1][name], rel=1e-7), name
     # Ethanol goes first
     assert (tables[0].evaporated_ethanol > 0.5 * tables[0].evaporated_water).all()
+
+
+@pytest.mark.parametrize('law, off', [('speciesDiffusion', 1e-3), ('saufi', 0.08)])
+def test_published_laws(tmp_path, law, off):
+    """Of each species as much as with the law diffusion: within 3e-4, and 6 %, which is half a cell of this mesh."""
+    tables = []
+    for name in ('diffusion', law):
+        case = spirit(tmp_path / name)
+        case.change['evaporation'] = {'type': name}
+        case.prepare()
+        assert balances(case, case.go()).max() < 1e-10
+        tables.append(case.ledger())
+    for name in ('evaporated_ethanol', 'evaporated_water'):
+        assert tables[1][name][-1] == pytest.approx(tables[0][name][-1], rel=off), name
 
 
 def test_ranks_and_restart(tmp_path):

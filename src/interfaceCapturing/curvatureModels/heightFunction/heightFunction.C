@@ -32,9 +32,13 @@ namespace
 //- Less of a cell, or so much that less is missing, says nothing of K
 constexpr Foam::scalar sliver = 1e-3;
 
+//- Neighbours whose K lie further apart, of the largest, say nothing of others
+constexpr Foam::scalar agreement = 0.1;
+
+//- K of a cell that has none
+constexpr Foam::scalar noK = Foam::GREAT;
+
 } // End anonymous namespace
-
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -184,35 +188,48 @@ Foam::dew::curvatureModels::heightFunction::heights
 }
 
 
-bool Foam::dew::curvatureModels::heightFunction::isNear
+Foam::scalar Foam::dew::curvatureModels::heightFunction::spread
 (
     const cellColumns& columns,
     const label celli,
     const scalarField& exact
 ) const
 {
+    scalar least = noK, most = -noK;
+    const auto see = [&](const label other)
+    {
+        if (other >= 0 && exact[other] < noK)
+        {
+            least = min(least, exact[other]);
+            most = max(most, exact[other]);
+        }
+    };
+
     // Two cells around
-    bool any = false;
     for (const label next : columns.around(celli))
     {
         if (next == cellColumns::boundary)
         {
-            return false;
+            return noK;
         }
+        see(next);
         if (next >= 0)
         {
-            any = any || exact[next] > 0;
             for (const label other : columns.around(next))
             {
                 if (other == cellColumns::boundary)
                 {
-                    return false;
+                    return noK;
                 }
-                any = any || (other >= 0 && exact[other] > 0);
+                see(other);
             }
         }
     }
-    return any;
+
+    return
+        least > most
+      ? noK
+      : (most - least)/max(max(mag(most), mag(least)), VSMALL);
 }
 
 
@@ -257,7 +274,7 @@ void Foam::dew::curvatureModels::heightFunction::calculate
     nHeights_ = nFits_ = nLeft_ = 0;
     DynamicList<label> left;
     DynamicList<bool> rough;
-    scalarField exact(alpha_.size(), Zero);
+    scalarField exact(alpha_.size(), noK);
 
     for (const label celli : cells(columns))
     {
@@ -267,7 +284,7 @@ void Foam::dew::curvatureModels::heightFunction::calculate
         if (by == found::exact)
         {
             known[celli] = true;
-            exact[celli] = 1;
+            exact[celli] = K[celli];
             nHeights_++;
         }
         else
@@ -285,14 +302,14 @@ void Foam::dew::curvatureModels::heightFunction::calculate
     bool any = false;
     forAll(left, i)
     {
-        // Of a cell that the surface has hardly come to neighbours know better,
-        // but for the contact angle
+        // Neighbours know better if they agree, and in any case of a cell that
+        // the surface has hardly come to; but for the contact angle
         const label celli = left[i];
+        const bool small = min(alpha_[celli], 1 - alpha_[celli]) < sliver;
         if
         (
-            min(alpha_[celli], 1 - alpha_[celli]) < sliver
-         && columns.fits(celli)
-         && isNear(columns, celli, exact)
+            columns.fits(celli)
+         && spread(columns, celli, exact) < (small ? noK : agreement)
         )
         {
             nLeft_++;

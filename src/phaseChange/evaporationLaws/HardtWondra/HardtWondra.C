@@ -6,6 +6,7 @@
 
 #include "HardtWondra.H"
 #include "addToRunTimeSelectionTable.H"
+#include "Enum.H"
 #include "gasConstant.H"
 #include "gasMixture.H"
 #include "mathematicalConstants.H"
@@ -37,9 +38,16 @@ Foam::dew::evaporationLaws::HardtWondra::HardtWondra
 :
     liquids_(liquids),
     gas_(gas),
-    C_(userEntry::within(dict, "accommodation", SMALL, 1))
+    C_(userEntry::within(dict, "accommodation", SMALL, 1)),
+    smeared_
+    (
+        Enum<bool>({{false, "reconstructed"}, {true, "gradAlpha"}}).getOrDefault
+        (
+            "area", dict, false
+        )
+    )
 {
-    userEntry::onlyThese(dict, {"type", "accommodation"});
+    userEntry::onlyThese(dict, {"type", "accommodation", "area"});
     pureLiquid(dict, liquids);
     correct(gas.p0());
 }

@@ -35,8 +35,24 @@ Foam::dew::evaporationLaws::diffusion::diffusion
     const gasMixture& gas
 )
 :
+    diffusion(dict, liquids, gas, false)
+{
+    userEntry::onlyThese(dict, {"type", "stefanFlow"});
+}
+
+
+Foam::dew::evaporationLaws::diffusion::diffusion
+(
+    const dictionary& dict,
+    const liquidMixture& liquids,
+    const gasMixture& gas,
+    const bool linear
+)
+:
     liquids_(liquids),
     gas_(gas),
+    linear_(linear),
+    mass_(linear || gas.uniformDensity()),
     stefanFlow_(dict.getOrDefault<Switch>("stefanFlow", true)),
     equilibrium_(liquids),
     pure_(liquids.size(), 1.0),
@@ -47,15 +63,14 @@ Foam::dew::evaporationLaws::diffusion::diffusion
     dysdT_(x_),
     Ym_(x_)
 {
-    correct(gas.p0());
-    userEntry::onlyThese(dict, {"type", "stefanFlow"});
+    setPressure(gas.p0());
 }
 
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dew::evaporationLaws::diffusion::correct(const scalar p)
+void Foam::dew::evaporationLaws::diffusion::setPressure(const scalar p)
 {
     p_ = p;
     TsMax_ = 0;
@@ -82,24 +97,32 @@ Foam::dew::filmFlux Foam::dew::evaporationLaws::diffusion::flux
 
     // Fractions, derivatives by Y and T, and conductance in the form that is
     // exact for the gas
-    const bool mass = gas_.uniformDensity();
-    const scalar y = mass ? Y : gas_.x(Y);
-    const scalar ys = mass ? gas_.Y(xs) : xs;
-    const scalar dydY = mass ? 1 : gas_.dxdY(Y);
-    const scalar dysdT = mass ? gas_.dYdx(xs)*dxsdT : dxsdT;
+    const scalar y = mass_ ? Y : gas_.x(Y);
+    const scalar ys = mass_ ? gas_.Y(xs) : xs;
+    const scalar dydY = mass_ ? 1 : gas_.dxdY(Y);
+    const scalar dysdT = mass_ ? gas_.dYdx(xs)*dxsdT : dxsdT;
     const scalar g =
-        mass
-      ? stefanFlux::massConductance
-        (
-            gas_.rho(p_, Tf, film.Y), gas_.DY(0, p_, Tf, film.Y), film.L
-        )
-      : stefanFlux::moleConductance
-        (
-            p_, Tf, gas_.DY(0, p_, Tf, film.Y), film.L, gas_.W(0)
+        across(film)
+       *(
+            mass_
+          ? stefanFlux::massConductance
+            (
+                gas_.rho(p_, Tf, film.Y), gas_.DY(0, p_, Tf, film.Y), film.L
+            )
+          : stefanFlux::moleConductance
+            (
+                p_, Tf, gas_.DY(0, p_, Tf, film.Y), film.L, gas_.W(0)
+            )
         );
 
     filmFlux f;
-    if (stefanFlow_)
+    if (stefanFlow_ && linear_)
+    {
+        f.N = stefanFlux::surfaceFlux(g, y, ys);
+        f.dNdY = -g/(1 - ys)*dydY;
+        f.dNdTs = stefanFlux::dSurfaceFluxdys(g, y, ys)*dysdT;
+    }
+    else if (stefanFlow_)
     {
         f.N = stefanFlux::flux(g, y, ys);
         f.dNdY = stefanFlux::dFluxdy(g, y)*dydY;

@@ -16,8 +16,7 @@ void Foam::dew::evaporationLaws::diffusion::prepare(const gasFilm& film) const
 {
     // Properties in the middle of the film, of its end and the surface
     const scalar Tf = 0.5*(film.T + film.Ts);
-    const bool mass = gas_.uniformDensity();
-    if (mass)
+    if (mass_)
     {
         y_ = film.Y;
     }
@@ -27,10 +26,10 @@ void Foam::dew::evaporationLaws::diffusion::prepare(const gasFilm& film) const
     }
     gas_.DY(p_, Tf, film.Y, g_);
     const scalar density =
-        mass ? gas_.rho(p_, Tf, film.Y) : p_/(gasConstant*Tf);
+        mass_ ? gas_.rho(p_, Tf, film.Y) : p_/(gasConstant*Tf);
     forAll(g_, i)
     {
-        g_[i] *= density/film.L;
+        g_[i] *= across(film)*density/film.L;
     }
 }
 
@@ -49,7 +48,7 @@ bool Foam::dew::evaporationLaws::diffusion::saturate
         ys_[i] /= p_;
         sum += ys_[i];
     }
-    if (gas_.uniformDensity())
+    if (mass_)
     {
         Ym_ = ys_;
         gas_.massFractions(Ym_, ys_);
@@ -66,7 +65,7 @@ Foam::scalar Foam::dew::evaporationLaws::diffusion::total
     scalar N = 0;
     forAll(g_, i)
     {
-        N += massOf(i)*speciesFilm::flux(g_[i], y_[i], ys_[i], n);
+        N += massOf(i)*speciesFilm::flux(g_[i], y_[i], ys_[i], n, linear_);
     }
     return N;
 }
@@ -85,7 +84,7 @@ Foam::scalar Foam::dew::evaporationLaws::diffusion::balance
     scalar sum = 0;
     forAll(g_, i)
     {
-        const scalar g = massOf(i)*g_[i]*speciesFilm::bernoulli(n/g_[i]);
+        const scalar g = massOf(i)*g_[i]*speciesFilm::bernoulli(n/g_[i], linear_);
         const scalar leaving =
             (g + massOf(i)*n)*ys_[i]/max(Xs[i], VSMALL);
         Ym_[i] =
@@ -138,7 +137,7 @@ void Foam::dew::evaporationLaws::diffusion::fluxes
         }
         if (stefanFlow_)
         {
-            n = speciesFilm::total(g_, y_, ys_);
+            n = speciesFilm::total(g_, y_, ys_, linear_);
         }
         if (mixed || balance(film, n, all.Xs) < 1e-13)
         {
@@ -148,7 +147,7 @@ void Foam::dew::evaporationLaws::diffusion::fluxes
 
     equilibrium_.dpdT(p_, film.Ts, x_, dysdT_);
     dysdT_ /= p_;
-    if (gas_.uniformDensity())
+    if (mass_)
     {
         // Of mole fractions before
         scalar dW = 0;
@@ -168,26 +167,29 @@ void Foam::dew::evaporationLaws::diffusion::fluxes
         forAll(g_, i)
         {
             dndTs +=
-                (g_[i]*speciesFilm::bernoulli(n/g_[i]) + n)*dysdT_[i];
+                (g_[i]*speciesFilm::bernoulli(n/g_[i], linear_) + n)*dysdT_[i];
         }
-        dndTs /= -speciesFilm::slope(g_, y_, ys_, n);
+        dndTs /= -speciesFilm::slope(g_, y_, ys_, n, linear_);
     }
     const scalar W = gas_.W(film.Y);
     const scalar N = max(total(n), scalar(0));
     forAll(g_, i)
     {
         const scalar P = n/g_[i];
-        const scalar g = g_[i]*speciesFilm::bernoulli(P);
+        const scalar g = g_[i]*speciesFilm::bernoulli(P, linear_);
         const scalar mass = massOf(i);
-        all.N[i] = mass*speciesFilm::flux(g_[i], y_[i], ys_[i], n);
+        all.N[i] = mass*speciesFilm::flux(g_[i], y_[i], ys_[i], n, linear_);
         all.dNdTs[i] =
             mass
            *(
                 (g + n)*dysdT_[i]
-              + (speciesFilm::dBernoulli(P)*(ys_[i] - y_[i]) + ys_[i])*dndTs
+              + (
+                    speciesFilm::dBernoulli(P, linear_)*(ys_[i] - y_[i])
+                  + ys_[i]
+                )*dndTs
             );
         const scalar dydY =
-            gas_.uniformDensity()
+            mass_
           ? 1
           : W/gas_.W(i)*(1 - film.Y[i]*W*(1/gas_.W(i) - 1/gas_.Wc()));
         all.dNdY[i] = -mass*g*dydY;
