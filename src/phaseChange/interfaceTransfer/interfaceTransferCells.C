@@ -47,18 +47,18 @@ void Foam::dew::interfaceTransfer::heat
         // it gives by itself
         const scalar takes = fixed ? 1 : slope/sum;
         const scalar gives = fixed ? Ts_[k] : -latentHeat/sum;
-        (
-            face.patch < 0
-          ? kappaf[face.face]
-          : kappaf.boundaryFieldRef()[face.patch][face.patchFace]
-        ) =
-            conductance
-           /face.S
-           /(
-                face.patch < 0
-              ? delta[face.face]
-              : delta.boundaryField()[face.patch][face.patchFace]
-            );
+        // Beside what a wall conducts to the gas
+        if (face.patch < 0)
+        {
+            kappaf[face.face] = conductance/(face.S*delta[face.face]);
+        }
+        else
+        {
+            kappaf.boundaryFieldRef()[face.patch][face.patchFace] +=
+                conductance
+               /mesh_.magSf().boundaryField()[face.patch][face.patchFace]
+               /delta.boundaryField()[face.patch][face.patchFace];
+        }
 
         // Vapour enters the gas, and liquid leaves, at Ts
         scalar toGas = 0, toLiquid = 0;

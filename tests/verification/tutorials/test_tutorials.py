@@ -50,6 +50,7 @@ def fresh(path, name):
                                   'interEvapDemFoam/stefanProblem',
                                   pytest.param('interEvapDemFoam/evaporatingFilm', marks=pytest.mark.slow),
                                   pytest.param('interEvapDemFoam/filmWithParticles', marks=pytest.mark.slow),
+                                  pytest.param('interEvapDemFoam/sessileRates', marks=pytest.mark.slow),
                                   pytest.param('interEvapDemFoam/suspendedDroplet', marks=pytest.mark.slow),
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):
@@ -126,8 +127,9 @@ def test_validate_notices_a_wrong_dictionary(tmp_path, name, file, right, wrong)
     # Half a per cent less vapour
     ('stefanTube', 'common/constant/liquidProperties', 'pSat            3169.446', 'pSat            3154', 'water'),
     # Vapour that diffuses 1.5 % faster
-    ('sessileLifetime', 'common/constant/gasProperties', '2.61e-5', '2.65e-5', 'rate-90-20')],
-    ids=['stefanTube', 'sessileLifetime'])
+    ('sessileLifetime', 'common/constant/gasProperties', '2.61e-5', '2.65e-5', 'rate-90-20'),
+    ('sessileRates', 'common/constant/gasProperties', '2.61e-5', '2.65e-5', 'quasiStatic-90-20')],
+    ids=['stefanTube', 'sessileLifetime', 'sessileRates'])
 def test_validate_notices_a_wrong_vapour(tmp_path, name, file, right, wrong, only):
     case = fresh(tmp_path / 'case', f'interEvapDemFoam/{name}')
     path = case / file
