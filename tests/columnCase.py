@@ -81,9 +81,10 @@ class Sucking:
 class ColumnCase(Case):
     """Liquid water; patches low, high and sides."""
 
-    def __init__(self, path, cells, length, surface, gas_first=True, mirrored=False, grading=1, **control):
+    def __init__(self, path, cells, length, surface, gas_first=True, mirrored=False, grading=1, closed=False, **control):
         super().__init__(path, **{'application': 'interEvapDemFoam', 'gravity': (0, 0, 0), 'writeFormat': 'ascii',
                                   'writePrecision': 17, 'timePrecision': 12, 'writeInterval': 100000, **control})
+        self.closed = closed
         self.n, self.length, self.surface, self.gas_first, self.mirrored = cells, length, surface, gas_first, mirrored
         self.edges = np.linspace(0, length, cells + 1)
         if grading != 1:
@@ -116,10 +117,11 @@ class ColumnCase(Case):
         L, w = self.length, self.width
         low, high = ('(1 2 6 5)', '(0 4 7 3)') if self.mirrored else ('(0 4 7 3)', '(1 2 6 5)')
         grading = 1 / self.grading if self.mirrored else self.grading
+        kind = 'wall' if self.closed else 'patch'
         self.write_dict('system/blockMeshDict', {
             'scale': 1, 'vertices': [(0, 0, 0), (L, 0, 0), (L, w, 0), (0, w, 0), (0, 0, w), (L, 0, w), (L, w, w), (0, w, w)],
             'blocks': f'(hex (0 1 2 3 4 5 6 7) ({self.n} 1 1) simpleGrading ({grading!r} 1 1))',
-            'boundary': f'(low {{type wall; faces ({low});}} high {{type patch; faces ({high});}} '
+            'boundary': f'(low {{type wall; faces ({low});}} high {{type {kind}; faces ({high});}} '
                         'sides {type empty; faces ((0 1 5 4) (3 7 6 2) (0 3 2 1) (4 5 6 7));})'})
 
     def values(self, value):
@@ -134,20 +136,22 @@ class ColumnCase(Case):
     def write(self):
         super().write()
         same = {'type': 'zeroGradient'}
+        wall = {'noSlip': {'type': 'noSlip'}, 'flux': {'type': 'fixedFluxPressure', 'value': 'uniform 0'}}
         wet = np.clip((self.edges[1:] - self.surface) / np.diff(self.edges), 0, 1)
         alpha = wet if self.gas_first else np.clip((self.surface - self.edges[:-1]) / np.diff(self.edges), 0, 1)
         if not (self.path / '0').exists():
             self.field_file('T', '[0 0 0 1 0 0 0]', self.values(self.T),
                             {'type': 'fixedValue', 'value': f'uniform {self.T_low!r}'} if self.T_low else same,
+                            same if self.closed else
                             {'type': 'inletOutlet' if self.gas_first else 'fixedValue',
                              'inletValue': f'uniform {self.T_high!r}', 'value': f'uniform {self.T_high!r}'})
-            self.field_file('U', '[0 1 -1 0 0 0 0]', 'uniform (0 0 0)', {'type': 'noSlip'},
+            self.field_file('U', '[0 1 -1 0 0 0 0]', 'uniform (0 0 0)', wall['noSlip'], wall['noSlip'] if self.closed else
                             {'type': 'pressureInletOutletVelocity', 'value': 'uniform (0 0 0)'}, 'volVectorField')
-            self.field_file('p_rgh', '[1 -1 -2 0 0 0 0]', 'uniform 0', {'type': 'fixedFluxPressure', 'value': 'uniform 0'},
+            self.field_file('p_rgh', '[1 -1 -2 0 0 0 0]', 'uniform 0', wall['flux'], wall['flux'] if self.closed else
                             {'type': 'fixedValue', 'value': 'uniform 0'})
             self.field_file('alpha.water', '[0 0 0 0 0 0 0]', self.values(lambda x: alpha), same, same)
             if self.Y is not None:
-                self.field_file('Y.water', '[0 0 0 0 0 0 0]', self.values(self.Y), same,
+                self.field_file('Y.water', '[0 0 0 0 0 0 0]', self.values(self.Y), same, same if self.closed else
                                 {'type': 'fixedValue', 'value': f'uniform {self.Y_high!r}'})
         self.write_dict('constant/liquidProperties', self.liquid)
         self.write_dict('constant/gasProperties', self.gas)
@@ -166,7 +170,8 @@ class ColumnCase(Case):
         other = {'solver': 'PBiCG', 'preconditioner': 'DILU', 'tolerance': 1e-15, 'relTol': 0}
         self.write_dict('system/fvSolution', {
             'solvers': {'"(chi|extension|p_rgh).*"': symmetric, '"(Y.*|T|U).*"': other, '"alpha.*"': {'nLimiterIter': 3}},
-            'PIMPLE': {'momentumPredictor': False, 'nOuterCorrectors': 1, 'nCorrectors': 2},
+            'PIMPLE': {'momentumPredictor': False, 'nOuterCorrectors': 1, 'nCorrectors': 2,
+                       **({'pRefCell': 0, 'pRefValue': 0} if self.closed else {})},
             'gas': {'nCorrectors': 30, 'tolerance': 1e-11}})
 
     def go(self, ranks=1, timeout=120):
@@ -189,6 +194,13 @@ class ColumnCase(Case):
         path = self.path / 'postProcessing' / 'evaporation' / start / 'ledger.dat'
         names = [re.sub(r'\W.*', '', name) for name in path.read_text().splitlines()[0].split()[1:]]
         return np.rec.fromarrays(np.loadtxt(path, ndmin=2).T, names=names)
+
+    def heat(self, start='0'):
+        """Columns of heat.dat, and how far each step is from closing, of the largest [-]"""
+        rows = np.loadtxt(self.path / 'postProcessing' / 'evaporation' / start / 'heat.dat', ndmin=2).T
+        stored, into, latent, moved = rows[1:]
+        error = np.abs(stored - into + latent - moved)
+        return rows, error / np.max(np.abs(rows[1:]), axis=0)
 
     def errors(self, output):
         """Of the balance, relative, of every step in a log"""

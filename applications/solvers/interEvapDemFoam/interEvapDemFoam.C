@@ -29,7 +29,7 @@ Description
       two fluids, with what evaporates in their volume:
       transportedEvaporation.C.
 
-    Particles see U, T and the surface.
+    Particles see U, T and the surface, and exchange heat with the cells they are in.
 
 Usage
     \verbatim

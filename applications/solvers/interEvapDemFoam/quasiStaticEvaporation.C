@@ -26,6 +26,7 @@ Description
 #include "gaussConvectionScheme.H"
 #include "pimpleControl.H"
 #include "wallFvPatch.H"
+#include "weighted.H"
 
 #include "caseDictionary.H"
 #include "checkInLiquid.H"
@@ -36,6 +37,7 @@ Description
 #include "gasMixture.H"
 #include "gasPhase.H"
 #include "gasPressure.H"
+#include "heatLedger.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
 #include "liquidPhase.H"
@@ -115,6 +117,10 @@ void Foam::dew::evaporate
 
         surface.report(Info);
         ledger.report(gMax(scalarField(mag(U.primitiveField())*(1 - dry))));
+        if (heatLedger.valid())
+        {
+            heatLedger->report();
+        }
         pressure.report();
         exchange.report();
 

@@ -32,6 +32,7 @@ Description
 #include "reverseLinear.H"
 #include "turbulentTransportModel.H"
 #include "wallFvPatch.H"
+#include "weighted.H"
 
 #include "boundaryForces.H"
 #include "caseDictionary.H"
@@ -47,6 +48,7 @@ Description
 #include "gasPhase.H"
 #include "gasPressure.H"
 #include "handOver.H"
+#include "heatLedger.H"
 #include "heatStorage.H"
 #include "interfaceTransfer.H"
 #include "linearGradient.H"
@@ -175,10 +177,14 @@ Foam::dictionary Foam::dew::evaporate
             runTime.deltaTValue()*expansion.primitiveField();
 
         // What the particles will see of it
-        surface.correctSpeed(U);
+        #include "carryingFlux.H"
 
         #include "surfaceReport.H"
         ledger.report(gMax(mag(U.primitiveField())));
+        if (heatLedger.valid())
+        {
+            heatLedger->report();
+        }
         pressure.report();
         exchange.report();
 

@@ -112,8 +112,9 @@ Foam::dew::particleExchange::particleExchange
                 << "Entry 'heatTransfer' needs a fluid with a temperature"
                 << " that gives heat to particles" << nl
                 << "In cfdDemFoam add a field T to the start time, and Cp and"
-                << " kappa to constant/transportProperties; else remove the"
-                << " entry"
+                << " kappa to constant/transportProperties; in"
+                << " interEvapDemFoam set 'energy on;' in"
+                << " constant/phaseChangeProperties; else remove the entry"
                 << exit(FatalIOError);
         }
         heatTransfer_ =

@@ -129,6 +129,17 @@ void Foam::dew::particleExchange::gatherSurfaces()
                 s.mu1 = (*fluid_.mu1)[celli];
                 s.mu2 = (*fluid_.mu2)[celli];
             }
+            if (heatTransfer_ && fluid_.kappa1)
+            {
+                s.kappa1 = (*fluid_.kappa1)[celli];
+                s.kappa2 = (*fluid_.kappa2)[celli];
+                s.Cp1 = (*fluid_.Cp1)[celli];
+                s.Cp2 = (*fluid_.Cp2)[celli];
+            }
+            if (carrierVelocity_ && fluid_.Ugas)
+            {
+                s.dU = (*fluid_.Ugas)[celli] - fluid_.Uc[celli];
+            }
             if (fluid_.sigma)
             {
                 s.sigma = (*fluid_.sigma)[celli];
@@ -223,9 +234,18 @@ void Foam::dew::particleExchange::cut(const label i, carrier& c) const
         surfaceDistance(y.cdata(), s.n.cdata(), s.curvature, m.data());
     const scalar share = shareInLiquid(2*delta/state_.d[i]);
 
+    const scalar rho1 = fluid_.rho1->value();
     const scalar rho2 = fluid_.rho2->value();
-    c.rho = rho2 + share*(fluid_.rho1->value() - rho2);
+    c.rho = rho2 + share*(rho1 - rho2);
     c.mu = s.mu2 + share*(s.mu1 - s.mu2);
+    // As each of them drags at it
+    c.U += (1 - share)*s.mu2/c.mu*s.dU;
+    if (heatTransfer_ && fluid_.kappa1)
+    {
+        c.kappa = s.kappa2 + share*(s.kappa1 - s.kappa2);
+        c.Cp =
+            (share*rho1*s.Cp1 + (1 - share)*rho2*s.Cp2)/c.rho;
+    }
 }
 
 
@@ -259,6 +279,7 @@ Foam::dew::carrier Foam::dew::particleExchange::around
         c.gradp = map_.toSpace(c.gradp, i);
         c.surface.X = symmetry.unfold(c.surface.X, state_.x[i]);
         c.surface.n = map_.toSpace(c.surface.n, i);
+        c.surface.dU = map_.toSpace(c.surface.dU, i);
         c.motion.gradU = map_.toSpace(c.motion.gradU, i);
         c.motion.DUDt = map_.toSpace(c.motion.DUDt, i);
         c.motion.divTau = map_.toSpace(c.motion.divTau, i);

@@ -14,6 +14,16 @@
 namespace
 {
 
+const Foam::dimensionSet conductivity
+(
+    Foam::dimPower/Foam::dimLength/Foam::dimTemperature
+);
+const Foam::dimensionSet heatCapacity
+(
+    Foam::dimEnergy/Foam::dimMass/Foam::dimTemperature
+);
+
+
 Foam::volScalarField property
 (
     const Foam::word& name,
@@ -62,12 +72,54 @@ Foam::dew::evaporatingFluids::evaporatingFluids
     rho1_("rho1", dimDensity, rhoL),
     rho2_("rho2", dimDensity, 0),
     rho_(property("rho", T.mesh(), dimDensity, IOobject::AUTO_WRITE)),
+    rhoWeight_(property("rhoWeight", T.mesh(), dimDensity)),
     mu1_(property("mu1", T.mesh(), dimDynamicViscosity)),
     mu2_(property("mu2", T.mesh(), dimDynamicViscosity)),
     mu_(property("mu", T.mesh(), dimDynamicViscosity)),
-    nu_(property("nu", T.mesh(), dimViscosity))
+    nu_(property("nu", T.mesh(), dimViscosity)),
+    thermal_(false),
+    kappa1_(property("kappa1", T.mesh(), conductivity)),
+    kappa2_(property("kappa2", T.mesh(), conductivity)),
+    kappa_(property("kappaFluids", T.mesh(), conductivity)),
+    Cp1_(property("Cp1", T.mesh(), heatCapacity)),
+    Cp2_(property("Cp2", T.mesh(), heatCapacity)),
+    Cp_(property("CpFluids", T.mesh(), heatCapacity))
 {
     correct();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dew::evaporatingFluids::correctThermal()
+{
+    const scalar Tboil = liquid_.Tboil(p0_);
+    const scalarField noVapour(Y_.size(), Zero);
+
+    forAll(kappa_, celli)
+    {
+        const scalar a = min(max(alpha_[celli], scalar(0)), scalar(1));
+        const scalar T = T_[celli];
+        const scalarField& x = liquid_.x(celli);
+        const scalarField& Y = a < 0.5 ? Y_.cell(celli) : noVapour;
+
+        kappa1_[celli] = liquid_.liquids().kappa(p0_, min(T, Tboil), x);
+        Cp1_[celli] = liquid_.liquids().Cp(p0_, min(T, Tboil), x);
+        kappa2_[celli] = gas_.kappa(T, Y);
+        Cp2_[celli] = gas_.Cp(T, Y);
+
+        kappa_[celli] = a*kappa1_[celli] + (1 - a)*kappa2_[celli];
+        Cp_[celli] =
+            (
+                a*rho1_.value()*Cp1_[celli]
+              + (1 - a)*rhoGas_[celli]*Cp2_[celli]
+            )
+           /rho_[celli];
+    }
+    for (volScalarField* f : {&kappa1_, &kappa2_, &kappa_, &Cp1_, &Cp2_, &Cp_})
+    {
+        f->correctBoundaryConditions();
+    }
 }
 
 
@@ -86,8 +138,13 @@ void Foam::dew::evaporatingFluids::correct()
         const scalar T = T_[celli];
 
         rho_[celli] = a*rho1_.value() + (1 - a)*rhoGas_[celli];
-        mu1_[celli] =
-            liquid_.liquids().mu(p0_, min(T, Tboil), liquid_.x(celli));
+        const scalar Tl = min(T, Tboil);
+        const scalarField& x = liquid_.x(celli);
+        // Of a cell of the gas T is not that of the liquid
+        rhoWeight_[celli] =
+            rho_[celli]
+          + (a < 0.5 ? 0 : a*(liquid_.liquids().rho(p0_, Tl, x) - rho1_.value()));
+        mu1_[celli] = liquid_.liquids().mu(p0_, Tl, x);
         mu2_[celli] = gas_.mu(T, a < 0.5 ? Y_.cell(celli) : noVapour);
         mu_[celli] = a*mu1_[celli] + (1 - a)*mu2_[celli];
         nu_[celli] = mu_[celli]/rho_[celli];
@@ -100,10 +157,23 @@ void Foam::dew::evaporatingFluids::correct()
     rho2_.value() = volume > 0 ? mass/volume : gAverage(rhoGas_);
 
     rho_.correctBoundaryConditions();
+    rhoWeight_.correctBoundaryConditions();
     mu1_.correctBoundaryConditions();
     mu2_.correctBoundaryConditions();
     mu_.correctBoundaryConditions();
     nu_.correctBoundaryConditions();
+
+    if (thermal_)
+    {
+        correctThermal();
+    }
+}
+
+
+void Foam::dew::evaporatingFluids::setThermal()
+{
+    thermal_ = true;
+    correctThermal();
 }
 
 

@@ -71,10 +71,6 @@ Foam::dew::evaporationLedger::evaporationLedger
     rates_(names_.size(), Zero),
     record_(new record(*this))
 {
-    forAll(names_, i)
-    {
-        storedAtStart_[i] = gas.held(i);
-    }
     if (record_->found("rhoL"))
     {
         rhoL_ = record_->get<scalar>("rhoL");
@@ -143,6 +139,18 @@ bool Foam::dew::evaporationLedger::record::writeData(Ostream& os) const
     os.writeEntry("storedAtStart", ledger_.storedAtStart_);
     os.precision(precision);
     return os.good();
+}
+
+
+void Foam::dew::evaporationLedger::start()
+{
+    if (!record_->found("rhoL"))
+    {
+        forAll(names_, i)
+        {
+            storedAtStart_[i] = gas_.held(i);
+        }
+    }
 }
 
 

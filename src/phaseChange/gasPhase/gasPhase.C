@@ -117,16 +117,6 @@ Foam::dew::gasPhase::gasPhase
         );
     }
     correct();
-
-    if (transient_)
-    {
-        // Not read: what the fields at the start make it
-        if (gMin(gas_.primitiveField()) < 0)
-        {
-            store();
-        }
-        collect();
-    }
 }
 
 
@@ -173,6 +163,20 @@ void Foam::dew::gasPhase::fillNew()
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::gasPhase::start()
+{
+    if (transient_)
+    {
+        // Not read: what the fields at the start make it
+        if (gMin(gas_.primitiveField()) < 0)
+        {
+            store();
+        }
+        collect();
+    }
+}
+
 
 void Foam::dew::gasPhase::store()
 {

@@ -5,18 +5,47 @@
 \*---------------------------------------------------------------------------*/
 
 #include "heatStorage.H"
+#include "interfaceTransfer.H"
 #include "phaseRegion.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Capacity per volume of the phase [J/m3/K]
+Foam::scalarField perVolume
+(
+    const Foam::dew::phaseRegion& region,
+    const Foam::scalarField& C
+)
+{
+    Foam::scalarField values(C.size(), Foam::Zero);
+    forAll(C, celli)
+    {
+        if (region.V()[celli] > 0)
+        {
+            values[celli] = C[celli]/region.V()[celli];
+        }
+    }
+    return values;
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dew::heatStorage::heatStorage
 (
     const fvMesh& mesh,
+    const interfaceTransfer& interface,
     const phaseRegion& gas,
     const phaseRegion& liquid
 )
 :
     mesh_(mesh),
+    interface_(interface),
     gas_(gas),
     liquid_(liquid),
     heatGas_(held("heat.gas", dimEnergy/dimVolume)),
@@ -26,12 +55,27 @@ Foam::dew::heatStorage::heatStorage
     (
         held("capacity.liquid", dimEnergy/dimVolume/dimTemperature)
     ),
+    C0_
+    (
+        IOobject("C0", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimEnergy/dimVolume/dimTemperature, Zero)
+    ),
     T0_
     (
         IOobject("T0", mesh.time().timeName(), mesh),
         mesh,
         dimensionedScalar(dimTemperature, Zero)
-    )
+    ),
+    lessC_("lessC", C0_),
+    lessH_("lessH", lessC_*T0_),
+    before_
+    (
+        IOobject("Tbefore", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimTemperature, Zero)
+    ),
+    wasGas_(interface.faces().gas())
 {}
 
 
@@ -59,11 +103,99 @@ Foam::volScalarField Foam::dew::heatStorage::held
 }
 
 
+Foam::scalarField Foam::dew::heatStorage::less
+(
+    const phaseRegion& region,
+    const scalarField& C
+) const
+{
+    scalarField values
+    (
+        (1 - region.depth())*region.beyond()
+       *region.onFaces(perVolume(region, C), false)
+    );
+    forAll(values, k)
+    {
+        // Not known before the first step
+        if (interface_.Ts(k) <= 0)
+        {
+            values[k] = 0;
+        }
+    }
+    return values;
+}
+
+
+Foam::scalarField Foam::dew::heatStorage::lessInside
+(
+    const phaseRegion& region,
+    const scalarField& C
+) const
+{
+    return region.offset()*region.own()*perVolume(region, C);
+}
+
+
+void Foam::dew::heatStorage::store
+(
+    const phaseRegion& region,
+    const scalarField& C,
+    const volScalarField& T,
+    scalarField& heat,
+    scalarField& capacity
+) const
+{
+    capacity = region.giveBack(C);
+    heat = region.giveBack(C*T.primitiveField());
+
+    scalarField values(less(region, C));
+    const scalarField ofCells(region.onFaces(T.primitiveField(), false));
+    forAll(values, k)
+    {
+        values[k] *= interface_.Ts(k) - ofCells[k];
+    }
+    scalarField off
+    (
+        lessInside(region, C)*(region.furtherIn(T) - T.primitiveField())
+    );
+    region.toCells(values, off, true);
+    heat += off/mesh_.V();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::dew::heatStorage::read() const
 {
     return gMin(capacityGas_.primitiveField()) >= 0;
+}
+
+
+void Foam::dew::heatStorage::correct
+(
+    const volScalarField& T,
+    const scalarField& rhoCp
+)
+{
+    const scalarField C(rhoCp*mesh_.V());
+    lessC_.field() = 0;
+    lessH_.field() = 0;
+    for (const phaseRegion* region : {&gas_, &liquid_})
+    {
+        scalarField values(less(*region, C));
+        region->toCells(values, lessC_.field());
+        forAll(values, k)
+        {
+            values[k] *= interface_.Ts(k);
+        }
+        region->toCells(values, lessH_.field());
+
+        const scalarField inside(lessInside(*region, C));
+        lessC_.field() += inside;
+        lessH_.field() += inside*region->furtherIn(T);
+    }
+    lessC_.field() /= mesh_.V();
+    lessH_.field() /= mesh_.V();
 }
 
 
@@ -74,12 +206,58 @@ void Foam::dew::heatStorage::store
 )
 {
     const scalarField C(rhoCp*mesh_.V());
-    const scalarField H(C*T.primitiveField());
+    store
+    (
+        gas_, C, T,
+        heatGas_.primitiveFieldRef(), capacityGas_.primitiveFieldRef()
+    );
+    store
+    (
+        liquid_, C, T,
+        heatLiquid_.primitiveFieldRef(), capacityLiquid_.primitiveFieldRef()
+    );
+}
 
-    capacityGas_.primitiveFieldRef() = gas_.giveBack(C);
-    heatGas_.primitiveFieldRef() = gas_.giveBack(H);
-    capacityLiquid_.primitiveFieldRef() = liquid_.giveBack(C);
-    heatLiquid_.primitiveFieldRef() = liquid_.giveBack(H);
+
+Foam::scalar Foam::dew::heatStorage::meanT() const
+{
+    return
+        gSum
+        (
+            scalarField
+            (
+                (heatGas_.primitiveField() + heatLiquid_.primitiveField())
+               *mesh_.V()
+            )
+        )
+       /gSum
+        (
+            scalarField
+            (
+                (
+                    capacityGas_.primitiveField()
+                  + capacityLiquid_.primitiveField()
+                )
+               *mesh_.V()
+            )
+        );
+}
+
+
+Foam::scalar Foam::dew::heatStorage::held(const scalar Tref) const
+{
+    return gSum
+    (
+        scalarField
+        (
+            (
+                heatGas_.primitiveField() - Tref*capacityGas_.primitiveField()
+              + heatLiquid_.primitiveField()
+              - Tref*capacityLiquid_.primitiveField()
+            )
+           *mesh_.V()
+        )
+    );
 }
 
 
@@ -98,8 +276,21 @@ void Foam::dew::heatStorage::move(const volScalarField& T)
 
     forAll(C, celli)
     {
+        C0_[celli] = C[celli]/mesh_.V()[celli];
         T0_[celli] = C[celli] > 0 ? H[celli]/C[celli] : T[celli];
     }
+
+    const boolList& isGas = interface_.faces().gas();
+    before_ == T;
+    forAll(isGas, celli)
+    {
+        if (isGas[celli] != wasGas_[celli])
+        {
+            before_[celli] = T0_[celli];
+        }
+    }
+    before_.correctBoundaryConditions();
+    wasGas_ = isGas;
 }
 
 

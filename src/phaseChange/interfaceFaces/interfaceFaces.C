@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "interfaceFaces.H"
+#include "localMax.H"
 #include "surfaceMotion.H"
 #include "syncTools.H"
 #include "wallFvPatch.H"
@@ -43,8 +44,7 @@ void Foam::dew::interfaceFaces::add
     const point& xLiquid,
     const scalar psiLiquid,
     const point& xGas,
-    const scalar d,
-    const bool wall
+    const scalar d
 )
 {
     // A centre on the surface itself would be no distance from it
@@ -70,7 +70,7 @@ void Foam::dew::interfaceFaces::add
         patch < 0 ? facei : mesh_.boundary()[patch].start() + facei;
     face.gas = gas;
     face.liquid = liquid;
-    face.wall = wall;
+    face.wall = false;
     face.S =
         patch < 0
       ? mesh_.magSf()[facei]
@@ -80,6 +80,91 @@ void Foam::dew::interfaceFaces::add
     face.e = (xGas - xLiquid)/mag(xGas - xLiquid);
     face.n = surface_.n()[gas];
     faces_.append(face);
+}
+
+
+Foam::scalar Foam::dew::interfaceFaces::addWall
+(
+    const label patch,
+    const label facei,
+    const label gas
+)
+{
+    // Shares of liquid below are rounding
+    const scalar least = 1e-6;
+    const fvPatch& wall = mesh_.boundary()[patch];
+    const point& C = mesh_.cellCentres()[gas];
+    const vector& n = surface_.n()[gas];
+    const vector e(-wall.Sf()[facei]/wall.magSf()[facei]);
+    const scalar d =
+        1/mesh_.nonOrthDeltaCoeffs().boundaryField()[patch][facei];
+    const scalar rise = n & e;
+    if (rise <= 0 || surface_.alpha()[gas] < least)
+    {
+        return 0;
+    }
+
+    // psi at the wall, above which the surface has the height psi/rise
+    corners_.clear();
+    for (const label pointi : mesh_.faces()[wall.start() + facei])
+    {
+        const point& x = mesh_.points()[pointi];
+        corners_.append({x, surface_.psi()[gas] - (n & (x - C))});
+    }
+    clip(0, 1);
+    clip(rise*d, -1);
+
+    vector S(Zero);
+    scalar sum = 0, weights = 0;
+    for (label i = 2; i < corners_.size(); i++)
+    {
+        const wallPoint& a = corners_[0];
+        const wallPoint& b = corners_[i - 1];
+        const wallPoint& c = corners_[i];
+        const vector part(0.5*((b.x - a.x) ^ (c.x - a.x)));
+        S += part;
+        weights += mag(part);
+        sum += mag(part)*(a.psi + b.psi + c.psi)/3;
+    }
+    const scalar share = mag(S)/wall.magSf()[facei];
+    if (share < least)
+    {
+        return 0;
+    }
+    const scalar f =
+        min(max(sum/(weights*rise*d), scalar(least)), scalar(1 - least));
+
+    faces_.append
+    (
+        interfaceFace
+        {
+            wall.start() + facei, patch, facei, gas, -1, true, mag(S),
+            (1 - f)*d, f*d, e, n
+        }
+    );
+    return min(share, scalar(1));
+}
+
+
+void Foam::dew::interfaceFaces::clip(const scalar level, const label side)
+{
+    clipped_.clear();
+    forAll(corners_, i)
+    {
+        const wallPoint& a = corners_[i];
+        const wallPoint& b = corners_[corners_.fcIndex(i)];
+        const scalar fa = side*(a.psi - level);
+        const scalar fb = side*(b.psi - level);
+        if (fa >= 0)
+        {
+            clipped_.append(a);
+        }
+        if ((fa >= 0) != (fb >= 0))
+        {
+            clipped_.append({a.x + fa/(fa - fb)*(b.x - a.x), level});
+        }
+    }
+    corners_.swap(clipped_);
 }
 
 
@@ -111,7 +196,7 @@ void Foam::dew::interfaceFaces::correct()
             const label l = gas_[own] ? nei : own;
             add
             (
-                -1, facei, g, l, C[l], psi[l], C[g], 1/delta[facei], false
+                -1, facei, g, l, C[l], psi[l], C[g], 1/delta[facei]
             );
         }
     }
@@ -148,7 +233,7 @@ void Foam::dew::interfaceFaces::correct()
                     (
                         patchi, facei, celli, -1, C[celli] + across[facei],
                         other[facei], C[celli],
-                        1/delta.boundaryField()[patchi][facei], false
+                        1/delta.boundaryField()[patchi][facei]
                     );
                 }
             }
@@ -160,26 +245,37 @@ void Foam::dew::interfaceFaces::correct()
             forAll(sameGas, facei)
             {
                 const label celli = cells[facei];
-                const point& Cf = patch.Cf()[facei];
-
                 if (!gas_[celli])
                 {
                     sameGas[facei] = 0;
                 }
-                else if (isA<wallFvPatch>(patch) && surface_.wets(patchi, facei))
+                else if (isA<wallFvPatch>(patch))
                 {
-                    sameGas[facei] = 0;
-                    sameSide[facei] = 0;
-                    add
-                    (
-                        patchi, facei, celli, -1, Cf,
-                        psi.boundaryField()[patchi][facei], C[celli],
-                        1/delta.boundaryField()[patchi][facei], true
-                    );
+                    sameGas[facei] -= addWall(patchi, facei, celli);
+                    sameSide[facei] = sameGas[facei];
                 }
             }
         }
     }
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::dew::interfaceFaces::beside() const
+{
+    volScalarField cells
+    (
+        IOobject("besideSurface", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero)
+    );
+    for (const interfaceFace& face : faces_)
+    {
+        cells[face.gas] = 1;
+    }
+    toLiquid(scalarField(faces_.size(), 1), cells.primitiveFieldRef());
+    cells.primitiveFieldRef() = pos(cells.primitiveField() - 0.5);
+    cells.correctBoundaryConditions();
+    return localMax<scalar>(mesh_).interpolate(cells);
 }
 
 

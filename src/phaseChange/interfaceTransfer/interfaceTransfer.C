@@ -69,7 +69,7 @@ Foam::dew::interfaceTransfer::interfaceTransfer
     rates_(gas.size(), Zero),
     change_(GREAT)
 {
-        const dimensionSet dims(dimDensity/dimTime);
+    const dimensionSet dims(dimDensity/dimTime);
     forAll(vapourSu_, i)
     {
         vapourSu_.set

@@ -47,18 +47,18 @@ void Foam::dew::interfaceTransfer::heat
         // it gives by itself
         const scalar takes = fixed ? 1 : slope/sum;
         const scalar gives = fixed ? Ts_[k] : -latentHeat/sum;
-        (
-            face.patch < 0
-          ? kappaf[face.face]
-          : kappaf.boundaryFieldRef()[face.patch][face.patchFace]
-        ) =
-            conductance
-           /face.S
-           /(
-                face.patch < 0
-              ? delta[face.face]
-              : delta.boundaryField()[face.patch][face.patchFace]
-            );
+        // Beside what a wall conducts to the gas
+        if (face.patch < 0)
+        {
+            kappaf[face.face] = conductance/(face.S*delta[face.face]);
+        }
+        else
+        {
+            kappaf.boundaryFieldRef()[face.patch][face.patchFace] +=
+                conductance
+               /mesh_.magSf().boundaryField()[face.patch][face.patchFace]
+               /delta.boundaryField()[face.patch][face.patchFace];
+        }
 
         // Vapour enters the gas, and liquid leaves, at Ts
         scalar toGas = 0, toLiquid = 0;
@@ -120,6 +120,54 @@ void Foam::dew::interfaceTransfer::heat
             }
         }
     }
+}
+
+
+void Foam::dew::interfaceTransfer::heatRates
+(
+    const volScalarField& T,
+    const scalar Tref,
+    scalar& latent,
+    scalar& gas,
+    scalar& liquid
+) const
+{
+    vector rates(Zero);
+    forAll(faces_.faces(), k)
+    {
+        const scalar TG = T[faces_.faces()[k].gas];
+        for (label i = 0; i < size(); i++)
+        {
+            const scalar m = through(k, i);
+            if (m != 0)
+            {
+                const auto& l = liquid_.liquids().liquid(i);
+                const scalar TV = m > 0 ? Ts_[k] : TG;
+                const scalar TL = m > 0 ? TN_[k] : Ts_[k];
+                rates[0] += m*l.hv(p0_, Ts_[k]);
+                rates[1] += m*gas_.CpVapour(i, TV)*(TV - Tref);
+                rates[2] += m*l.Cp(p0_, TL)*(TL - Tref);
+            }
+        }
+    }
+    reduce(rates, sumOp<vector>());
+    latent = rates[0];
+    gas = rates[1];
+    liquid = rates[2];
+}
+
+
+Foam::scalar Foam::dew::interfaceTransfer::wallHeat() const
+{
+    scalar heat = 0;
+    forAll(faces_.faces(), k)
+    {
+        if (faces_.faces()[k].wall)
+        {
+            heat += KL_[k]*(TN_[k] - Ts_[k]);
+        }
+    }
+    return returnReduce(heat, sumOp<scalar>());
 }
 
 

@@ -146,6 +146,7 @@ void Foam::dew::interfaceTransfer::linearise
 (
     const volScalarField& T,
     const speciesFields& Y,
+    const volScalarField& fluidShare,
     const bool energy
 )
 {
@@ -153,6 +154,7 @@ void Foam::dew::interfaceTransfer::linearise
     const auto& faces = faces_.faces();
 
     TN_ = faces_.ofLiquid(T);
+    const scalarField shareN(faces_.ofLiquid(fluidShare));
     liquid_.onFaces(faces_, XN_);
     forAll(vapourSu_, i)
     {
@@ -214,9 +216,11 @@ void Foam::dew::interfaceTransfer::linearise
         if (energy)
         {
             const scalar Tf = 0.5*(film.T + film.Ts);
-            KG_[k] = gas_.kappa(Tf, film.Y)*face.S/face.dG;
+            KG_[k] =
+                fluidShare[face.gas]*gas_.kappa(Tf, film.Y)*face.S/face.dG;
             KL_[k] =
-                liquid_.liquids().kappa
+                shareN[k]
+               *liquid_.liquids().kappa
                 (
                     p0_, TN_[k], liquid_.x(film.X)
                 )

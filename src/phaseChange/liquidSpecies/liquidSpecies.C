@@ -45,12 +45,6 @@ Foam::dew::liquidSpecies::liquidSpecies
 {
     liquid_.setRho(rhoL);
     mesh_.setFluxRequired(potential_.name());
-    if (!several())
-    {
-        return;
-    }
-
-    bool read = true;
     forAll(held_, i)
     {
         held_.set
@@ -68,23 +62,13 @@ Foam::dew::liquidSpecies::liquidSpecies
                 dimensionedScalar("none", dimDensity, -1)
             )
         );
-        read = read && gMin(held_[i].primitiveField()) >= 0;
-    }
-    if (!read)
-    {
-        start();
-    }
-    move();
-    if (uniform_)
-    {
-        solveUniform(0, true);
     }
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dew::liquidSpecies::start()
+void Foam::dew::liquidSpecies::fill()
 {
     scalar worst = 0;
     forAll(alpha_, celli)
@@ -181,6 +165,29 @@ void Foam::dew::liquidSpecies::solveUniform
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::liquidSpecies::start()
+{
+    if (!several())
+    {
+        return;
+    }
+    bool read = true;
+    forAll(held_, i)
+    {
+        read = read && gMin(held_[i].primitiveField()) >= 0;
+    }
+    if (!read)
+    {
+        fill();
+    }
+    move();
+    if (uniform_)
+    {
+        solveUniform(0, true);
+    }
+}
+
 
 void Foam::dew::liquidSpecies::solve
 (

@@ -19,6 +19,7 @@ Foam::dew::phaseRegion::phaseRegion
     mesh_(mesh),
     faces_(faces),
     side_(s),
+    share_(mesh.nCells(), Zero),
     own_(mesh.nCells(), Zero),
     V_(mesh.nCells(), Zero),
     allWeights_(0)
@@ -36,10 +37,11 @@ bool Foam::dew::phaseRegion::inside(const label celli) const
 void Foam::dew::phaseRegion::toCells
 (
     const UList<scalar>& values,
-    scalarField& cells
+    scalarField& cells,
+    const bool other
 ) const
 {
-    if (side_ == side::liquid)
+    if ((side_ == side::liquid) != other)
     {
         faces_.toLiquid(values, cells);
         return;
@@ -91,10 +93,15 @@ Foam::scalarField Foam::dew::phaseRegion::onFaces
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dew::phaseRegion::correct(const scalarField& own)
+void Foam::dew::phaseRegion::correct
+(
+    const scalarField& share,
+    const scalarField& fluids
+)
 {
     const auto& faces = faces_.faces();
-    own_ = own;
+    share_ = share;
+    own_ = share*fluids*mesh_.V();
 
     w_.setSize(faces.size());
     forAll(faces, k)
@@ -121,9 +128,125 @@ void Foam::dew::phaseRegion::correct(const scalarField& own)
         }
     }
 
+    inwards_.setSize(mesh_.nCells());
+    for (direction cmpt = 0; cmpt < vector::nComponents; cmpt++)
+    {
+        scalarField values(faces.size());
+        forAll(faces, k)
+        {
+            values[k] =
+                w_[k]*faces[k].n[cmpt]*(side_ == side::gas ? 1 : -1);
+        }
+        scalarField sums(mesh_.nCells(), Zero);
+        toCells(values, sums);
+        inwards_.replace(cmpt, sums);
+    }
+
     V_.setSize(mesh_.nCells());
     V_ = 0;
     V_ = collect(own_/mesh_.V());
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::beyond
+(
+    const scalarField& cells
+) const
+{
+    scalarField perWeight(mesh_.nCells(), Zero);
+    forAll(perWeight, celli)
+    {
+        if (weightOf_[celli] > VSMALL)
+        {
+            perWeight[celli] = cells[celli]/weightOf_[celli];
+        }
+    }
+    return w_*onFaces(perWeight, true);
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::depth() const
+{
+    tmp<scalarField> tdepth(beyond(share_*mesh_.V()));
+    scalarField& depth = tdepth.ref();
+    forAll(depth, k)
+    {
+        const interfaceFace& face = faces_.faces()[k];
+        const scalar d = side_ == side::gas ? face.dG : face.dL;
+        depth[k] = min(0.5*depth[k]/max(d*w_[k], VSMALL), scalar(1));
+    }
+    return tdepth;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::offset() const
+{
+    auto toffset = tmp<scalarField>::New(mesh_.nCells(), Zero);
+    scalarField& offset = toffset.ref();
+    forAll(offset, celli)
+    {
+        if (inside(celli) && magSqr(inwards_[celli]) > 0)
+        {
+            offset[celli] = 0.5*max(1 - share_[celli], scalar(0));
+        }
+    }
+    return toffset;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::furtherIn
+(
+    const volScalarField& f
+) const
+{
+    scalarField sum(mesh_.nCells(), Zero), weight(mesh_.nCells(), Zero);
+    const auto see = [&]
+    (
+        const label celli, const vector& S, const scalar there, const scalar same
+    )
+    {
+        const scalar w = same*max(S & inwards_[celli], scalar(0));
+        sum[celli] += w*there;
+        weight[celli] += w;
+    };
+
+    const surfaceVectorField& Sf = mesh_.Sf();
+    const surfaceScalarField& same = faces_.sameSide();
+    forAll(mesh_.owner(), facei)
+    {
+        const label P = mesh_.owner()[facei];
+        const label N = mesh_.neighbour()[facei];
+        see(P, Sf[facei], f[N], same[facei]);
+        see(N, -Sf[facei], f[P], same[facei]);
+    }
+    for (const fvPatchScalarField& fb : f.boundaryField())
+    {
+        if (fb.coupled())
+        {
+            const fvPatch& patch = fb.patch();
+            const scalarField there(fb.patchNeighbourField());
+            forAll(patch, facei)
+            {
+                see
+                (
+                    patch.faceCells()[facei],
+                    Sf.boundaryField()[patch.index()][facei],
+                    there[facei],
+                    same.boundaryField()[patch.index()][facei]
+                );
+            }
+        }
+    }
+
+    auto tvalues = tmp<scalarField>::New(f.primitiveField());
+    forAll(weight, celli)
+    {
+        if (weight[celli] > VSMALL)
+        {
+            tvalues.ref()[celli] = sum[celli]/weight[celli];
+        }
+    }
+    return tvalues;
 }
 
 

@@ -4,10 +4,13 @@ Closed forms: Stefan's problem and the sucking interface as in Welch and Wilson,
 numbers of sets A and B those of columnCase.Stefan solved by hand; Stefan's tube as in Bird, Stewart and Lightfoot,
 Transport Phenomena, section 18.2. Tolerances: some more than measured here, which is stated beside them.
 """
+import re
+import shutil
+
 import numpy as np
 import pytest
 
-from columnCase import P0, STEAM, ColumnCase, Stefan, Sucking
+from columnCase import P0, STEAM, ColumnCase, Stefan, Sucking, root
 
 SET_B = {'rho': 0.6, 'Cp': 2080, 'hv': 2.256e6}
 VAPOURS = {'water': dict(W=18.0153, rho=997, D=2.5e-5, pSat=3169.446),
@@ -108,25 +111,26 @@ def sucking(path, n, dT=5.0, surface=None, t0=0.1, end=0.5):
 
 
 def test_sucking_interface(tmp_path):
-    """With 100 cells, one and a half in the layer that the liquid boils off: 4.6 %."""
-    assert abs(sucking(tmp_path, 100)[0]) < 0.06
+    """With 100 cells, three in the layer that the liquid boils off: 6.7 %."""
+    assert abs(sucking(tmp_path, 100)[0]) < 0.08
 
 
 def test_sucking_interface_coarse(tmp_path):
-    """No blow-up where the mesh does not see the layer: 14 % with 50 cells."""
-    assert abs(sucking(tmp_path, 50)[0]) < 0.25
+    """No blow-up where the mesh hardly sees the layer: 27 % with 50 cells."""
+    assert abs(sucking(tmp_path, 50)[0]) < 0.32
 
 
 def test_sucking_interface_fine(tmp_path):
-    """0.34 % with 200 cells."""
-    assert abs(sucking(tmp_path, 200)[0]) < 5e-3
+    """1.5 % with 200 cells: second order. 0.66 % with 400."""
+    assert abs(sucking(tmp_path, 200)[0]) < 0.02
 
 
-def test_condensation_on_cold_liquid(tmp_path):
-    """The sucking interface reversed: the liquid, colder by a tenth of that, takes the gas; 0.1 % with 200 cells."""
-    error, case = sucking(tmp_path, 200, dT=-0.5, surface=5e-3)
+@pytest.mark.parametrize('n, mark', [(100, 0.02), (200, 0.02)])
+def test_condensation_on_cold_liquid(tmp_path, n, mark):
+    """The sucking interface reversed: the liquid takes the gas; -0.6 % with 100 cells, -1.4 % with 200, -0.4 % with 400."""
+    error, case = sucking(tmp_path, n, dT=-5.0, surface=5e-3)
     assert case.ledger().rate.max() < 0
-    assert abs(error) < 0.02
+    assert abs(error) < mark
 
 
 def tube(path, name='water', n=75, L=1.51e-3, surface=0.51e-3, transient=True, energy=False, x_infinity=0.0, **keywords):
@@ -199,3 +203,55 @@ def test_ranks_and_restart(tmp_path):
     half.go()
     for name in ('evaporated', 'rate', 'Tsurface', 'stored', 'out'):
         assert np.allclose(half.ledger('0.003')[name], table[name][3:], rtol=1e-8, atol=0), name
+
+
+@pytest.mark.parametrize('name, mark', [('stefan', 2e-5), ('sucking', 1e-3), ('condensing', 1e-3)])
+def test_heat_closes(tmp_path, name, mark):
+    """Stored = in - latent + moved: a part in 1e5 where only gas flows; what the liquid that flows out is off, else."""
+    case = {'stefan': lambda: stefan(tmp_path, 50), 'sucking': lambda: sucking(tmp_path, 100),
+            'condensing': lambda: sucking(tmp_path, 100, dT=-5.0, surface=5e-3)}[name]()[1]
+    rows, error = case.heat()
+    assert np.abs(rows[3, -1]) > 0 and error[-1] < mark, error[-1]
+
+
+@pytest.mark.parametrize('mirrored', [False, True])
+def test_closed_adiabatic_column(tmp_path, mirrored):
+    """Water below dry air between walls that pass nothing: in the end the vapour is saturated at the temperature at which
+    the internal energy of all is that of the start, an independent balance of two unknowns."""
+    L, film, n = 4e-3, 0.5e-3, 40
+    case = tube(tmp_path, n=n, L=L, surface=film, energy=True, closed=True, mirrored=mirrored, endTime=4.0, deltaT=0.01)
+    # One heat of evaporation at all temperatures: vapour with the heat capacity of the liquid
+    cpAir = 1006.0
+    case.gas['carrier'] = {'type': 'constant', 'W': 28.9647, 'Cp': cpAir, 'kappa': 0.026, 'mu': 1.8e-5}
+    case.gas['vapour']['Cp'] = case.liquid['Cp']
+    case.liquid.update(hv=2.442e6, Tboil=373.15)
+    case.T_low = None
+    shutil.rmtree(tmp_path / '0')
+    case.write()
+    output = case.go()
+    assert case.errors(output).max() < 1e-10
+
+    Ru, T0, l, W, Wa = 8.314462618, 298.15, case.liquid, 18.0153e-3, 28.9647e-3
+    pressure, carrier = np.array(re.findall(r'^p0 (\S+) Pa, carrier (\S+) kg', output, re.M), dtype=float).T
+    air, water, width = P0 * Wa / (Ru * T0) * (L - film), l['rho'] * film, case.width**2
+    assert carrier[-1] == pytest.approx(air * width, rel=1e-9)
+
+    def pSat(T):
+        return l['pBoil'] * np.exp(l['hv'] * W / Ru * (1 / l['Tboil'] - 1 / T))
+
+    def vapour(T):
+        # The film is thinner by what has evaporated
+        m = 0
+        for _ in range(20):
+            m = pSat(T) * W / (Ru * T) * (L - (water - m) / l['rho'])
+        return m
+
+    def energy(T):
+        # That of the vapour is hv - Ru T/W above the liquid's
+        return (water * l['Cp'] + air * (cpAir - Ru / Wa)) * (T - T0) + vapour(T) * (l['hv'] - Ru * T / W)
+
+    exact = root(energy, T0 - 30, T0)
+    T = case.ledger().Tsurface[-1]
+    assert T == pytest.approx(exact, abs=0.02)
+    partial = Ru * exact * (vapour(exact) / W + air / Wa) / (L - (water - vapour(exact)) / l['rho'])
+    assert pressure[-1] == pytest.approx(partial, rel=1e-4)

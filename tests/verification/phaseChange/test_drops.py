@@ -23,9 +23,11 @@ def drop(kind, path, theta, n, **control):
     return case
 
 
-@pytest.mark.parametrize('theta', [60, 90, 120])
+@pytest.mark.parametrize('theta', [40, 60, 90, 120])
 def test_rate_of_the_quasi_static_surface(tmp_path, theta):
-    """Over 20 ms, with a surface tension that just holds the shape: the rate on the same mesh within 0.3 %."""
+    """Over 20 ms, with a surface tension that just holds the shape: the rate on the same mesh within 0.3 %, Popov's
+    within 2 % (asked). Ten cells to the radius, twelve from there on: 0.4 % more than Popov's mesh without end.
+    """
     still = drop(EvaporationCase, tmp_path / 'still', theta, 10, endTime=1e-3, deltaT=1e-3)
     still.go()
     rate = still.ledger().rate[0]
@@ -36,6 +38,51 @@ def test_rate_of_the_quasi_static_surface(tmp_path, theta):
     assert moving.errors(output).max() < 1e-11
     popov = theory.rate(np.radians(theta), 1e-3, 2.5e-5, RHO_GAS * saturated())
     assert abs(table.rate[-1] / popov - 1) < 0.02
+
+
+def test_contact_line_passes_a_cell(tmp_path):
+    """The rate over Popov's depends little on where in its cell the contact line is, and does not leap: over a cell in
+    tenths, the last one the steepest. With a wall that is wet or dry as a whole it leapt by 2.1 % as the centre of its
+    face fell dry."""
+    ratios = []
+    for k in range(11):
+        path = tmp_path / str(k)
+        path.mkdir()
+        case = EvaporationCase(path, theta=40, n=10, endTime=1e-3, deltaT=1e-3)
+        case.change['evaporation'] = {'type': 'diffusion', 'stefanFlow': False}
+        case.outer = {'type': 'farField', 'infinity': 'uniform 0', 'value': 'uniform 0'}
+        a = case.motion['contactRadius'] = 1e-3 - k * 1e-5
+        case.prepare()
+        case.go()
+        ratios.append(case.ledger().rate[0] / theory.rate(np.radians(40), a, 2.5e-5, RHO_GAS * saturated()))
+    assert np.abs(np.diff(ratios)).max() < 1e-2, ratios
+    assert np.abs(np.array(ratios) - 1).max() < 2.2e-2, ratios
+
+
+# Rows of cells over the wall, of a drop that swings
+WRINKLED = [[1, 1, 1, 1, 1, 1, 1, .9715, .0644], [1, 1, 1, 1, 1, 1, .8541, .2538],
+            [.9999, .9999, 1, 1, .8357, .4110, .0274], [.7374, .6437, .4615, .1817, .0007]]
+
+
+def test_foot_of_a_wrinkled_drop(tmp_path):
+    """The surface at its foot is bent much, and says nothing of cells further out: the wall there is dry. It was not,
+    and the rate a third too large."""
+    case = drop(TransportedCase, tmp_path, 40, 10, sigma=1e-4, endTime=1e-6, deltaT=1e-6)
+    path = tmp_path / '0/alpha.liquid'
+    text = path.read_text()
+    start = re.search(r'internalField\s+nonuniform\s+List<scalar>\s*(\d+)', text)
+    alpha = np.zeros(int(start[1]))
+    columns = 16
+    for k, row in enumerate(WRINKLED):
+        alpha[k * columns:k * columns + len(row)] = row
+    listed = ' '.join(f'{value:g}' for value in alpha)
+    path.write_text(f'{text[:start.start()]}internalField nonuniform List<scalar> {len(alpha)} ({listed});\n'
+                    + text[text.index('boundaryField'):])
+    case.go()
+    table = case.ledger()
+    a = 1e-3 * (table.volume[0] / theory.volume(np.radians(40), 1e-3))**(1 / 3)
+    popov = theory.rate(np.radians(40), a, 2.5e-5, RHO_GAS * saturated())
+    assert abs(table.rate[0] / popov - 1) < 0.1, table.rate[0] / popov
 
 
 def test_dries_out(tmp_path):

@@ -47,8 +47,12 @@ def fresh(path, name):
                                   pytest.param('interDemFoam/pinnedDrop', marks=pytest.mark.slow),
                                   pytest.param('interDemFoam/thermocapillaryDrop', marks=pytest.mark.slow),
                                   'interDemFoam/risingBubble', 'interEvapDemFoam/stefanTube', 'interEvapDemFoam/sessileLifetime',
-                                  'interEvapDemFoam/stefanProblem',
+                                  'interEvapDemFoam/stefanProblem', 'interEvapDemFoam/suckingInterface',
+                                  'interEvapDemFoam/closedBox',
+                                  pytest.param('interEvapDemFoam/ethanolWaterDroplet', marks=pytest.mark.slow),
                                   pytest.param('interEvapDemFoam/evaporatingFilm', marks=pytest.mark.slow),
+                                  pytest.param('interEvapDemFoam/filmWithParticles', marks=pytest.mark.slow),
+                                  pytest.param('interEvapDemFoam/sessileRates', marks=pytest.mark.slow),
                                   pytest.param('interEvapDemFoam/suspendedDroplet', marks=pytest.mark.slow),
                                   pytest.param('interEvapDemFoam/sessileDroplet', marks=pytest.mark.slow)])
 def test_runs_and_validates(tmp_path, name):
@@ -125,8 +129,17 @@ def test_validate_notices_a_wrong_dictionary(tmp_path, name, file, right, wrong)
     # Half a per cent less vapour
     ('stefanTube', 'common/constant/liquidProperties', 'pSat            3169.446', 'pSat            3154', 'water'),
     # Vapour that diffuses 1.5 % faster
-    ('sessileLifetime', 'common/constant/gasProperties', '2.61e-5', '2.65e-5', 'rate-90-20')],
-    ids=['stefanTube', 'sessileLifetime'])
+    ('sessileLifetime', 'common/constant/gasProperties', '2.61e-5', '2.65e-5', 'rate-90-20'),
+    ('sessileRates', 'common/constant/gasProperties', '2.61e-5', '2.65e-5', 'quasiStatic-90-20'),
+    # Gas that conducts 2 % better
+    ('stefanProblem', 'common/constant/gasProperties', 'kappa           0.025', 'kappa           0.0255', 'cells50'),
+    # Liquid that conducts 2 % better
+    ('suckingInterface', 'common/constant/liquidProperties', 'kappa           0.671', 'kappa           0.685', 'cells200'),
+    # A hundred-thousandth less vapour
+    ('closedBox', 'water/constant/liquidProperties', 'pSat            31201', 'pSat            31200.7', 'water'),
+    # Ethanol less active in little of it
+    ('ethanolWaterDroplet', 'activity/vanLaar', 'A12 1.6798', 'A12 1.55', 'first-vanLaar-0.1')],
+    ids=['stefanTube', 'sessileLifetime', 'sessileRates', 'stefanProblem', 'suckingInterface', 'closedBox', 'ethanolWaterDroplet'])
 def test_validate_notices_a_wrong_vapour(tmp_path, name, file, right, wrong, only):
     case = fresh(tmp_path / 'case', f'interEvapDemFoam/{name}')
     path = case / file

@@ -66,6 +66,28 @@ void Foam::dew::distanceModels::reconstructed::bend(const paraboloidFit& fit)
 }
 
 
+Foam::scalar Foam::dew::distanceModels::reconstructed::onItsSide
+(
+    const label celli,
+    const scalar psi
+) const
+{
+    if (surface_.planes().of(celli) >= 0)
+    {
+        return psi;
+    }
+
+    const scalar side = surface_.alpha()[celli] > 0.5 ? 1 : -1;
+    const vector d(surface_.mesh().C()[celli] - closest_[celli].x);
+    const scalar down = -(closest_[celli].n & d);
+
+    return
+        side*psi > 0 ? side*min(mag(psi), mag(d))
+      : side*down > 0 ? down
+      : side*mag(d);
+}
+
+
 void Foam::dew::distanceModels::reconstructed::mean
 (
     const label celli,
@@ -104,6 +126,7 @@ void Foam::dew::distanceModels::reconstructed::mean
         }
     }
     psi /= sum;
+    psi = onItsSide(celli, psi);
 
     // Planes on both sides of a thin pocket have none in the mean
     n = mag(n) > 1e-6*sum ? n/mag(n) : closest_[celli].n;
@@ -288,9 +311,23 @@ void Foam::dew::distanceModels::reconstructed::correct
         if (!patch.coupled())
         {
             const vectorField d(patch.Cf() - patch.Cn());
-            psi.boundaryFieldRef()[patchi] ==
-                psi.boundaryField()[patchi].patchInternalField()
-              - (d & n.boundaryField()[patchi].patchInternalField());
+            const labelUList& cells = patch.faceCells();
+            scalarField& psib = psi.boundaryFieldRef()[patchi];
+            forAll(psib, facei)
+            {
+                const label celli = cells[facei];
+                psib[facei] = psic[celli] - (d[facei] & nc[celli]);
+
+                // Where no plane is, the cell is all of one side
+                if
+                (
+                    surface_.planes().of(celli) < 0
+                 && psib[facei]*psic[celli] < 0
+                )
+                {
+                    psib[facei] = psic[celli];
+                }
+            }
         }
     }
     n.correctBoundaryConditions();

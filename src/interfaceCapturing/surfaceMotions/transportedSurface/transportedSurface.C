@@ -7,6 +7,7 @@
 #include "transportedSurface.H"
 #include "alongInterface.H"
 #include "fvcGrad.H"
+#include "neighbourSum.H"
 #include "surfaceInterpolate.H"
 #include "userEntry.H"
 #include "wallFvPatch.H"
@@ -193,6 +194,49 @@ void Foam::dew::transportedSurface::correct
         correctSpeed(flow.U);
     }
     curvatureModel_->correct(curvature_);
+}
+
+
+void Foam::dew::transportedSurface::correctSpeed
+(
+    const volVectorField& U,
+    const scalarField& recession
+)
+{
+    correctSpeed(U);
+    forAll(recession, celli)
+    {
+        if (n_[celli] != vector::zero)
+        {
+            speed_[celli] -= recession[celli];
+        }
+    }
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::dew::transportedSurface::recession
+(
+    const scalarField& losing
+) const
+{
+    scalarField above(losing), below(area_);
+    auto tspeed = tmp<scalarField>::New(mesh_.nCells(), Zero);
+    scalarField& speed = tspeed.ref();
+
+    // A mean over neighbours, as wide as particles reach beyond a cell
+    for (label round = 0; round < 2; round++)
+    {
+        above += neighbourSum<scalar>(mesh_, above)();
+        below += neighbourSum<scalar>(mesh_, below)();
+    }
+    forAll(speed, celli)
+    {
+        if (below[celli] > VSMALL)
+        {
+            speed[celli] = above[celli]/below[celli];
+        }
+    }
+    return tspeed;
 }
 
 
