@@ -23,7 +23,7 @@ class Layer(ColumnCase):
     """Two thirds of the height are water; patches left, right, bottom, top, sides"""
 
     def __init__(self, path, **control):
-        super().__init__(path, 1, LENGTH, H, gravity=(0, -9.81, 0), endTime=0.4, deltaT=4e-4, **control)
+        super().__init__(path, 1, LENGTH, H, gravity=(0, -9.81, 0), endTime=0.4, deltaT=4e-4, writeInterval=1000, **control)
         self.law = {'type': 'none'}
         self.liquid = {'type': 'library', 'liquid': 'H2O'}
         self.gas = {'type': 'constant', 'p0': 101325, 'Wc': 28.96, 'rho': 1.2, 'D': 2e-5, 'Cp': 1000, 'kappa': 0.6,
