@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dewCase import ROOT
-from evaporationCase import RHO_GAS, EvaporationCase, saturated
+from evaporationCase import BOILING_WATER, IDEAL_GAS, RHO_GAS, EvaporationCase, saturated
 from transportedCase import TransportedCase
 
 sys.path.append(str(ROOT / 'etc/python'))
@@ -102,3 +102,17 @@ def test_dries_out(tmp_path):
     mass = 997 * 2 / 3 * np.pi * 1e-9
     assert abs(table.evaporated[-1] / mass - 1) < 2e-3, table.evaporated[-1] / mass
     assert np.isfinite(table.maxU).all() and 'nan' not in output
+
+
+def test_heat_of_a_drop_closes(tmp_path):
+    """A drop of water that cools as it evaporates: stored = in - latent + moved to 7e-5 of the latent heat, which is what
+    the capacities of gas and liquid make that vary with temperature."""
+    case = TransportedCase(tmp_path, theta=60, n=10, sigma=1e-4, endTime=0.05, deltaT=1e-3)
+    case.change.update(energy=True, gas='transient', evaporation={'type': 'diffusion'})
+    case.liquid, case.gas = dict(BOILING_WATER), dict(IDEAL_GAS)
+    case.outer = {'type': 'farField', 'infinity': 'uniform 0', 'value': 'uniform 0'}
+    case.prepare()
+    case.go()
+    stored, into, latent, moved = np.loadtxt(tmp_path / 'postProcessing/evaporation/0/heat.dat').T[1:]
+    assert latent[-1] > 5e-4 and case.ledger().Tsurface[-1] < 297.9
+    assert np.abs(stored - into + latent - moved)[5:].max() < 2e-4 * latent[-1]
