@@ -217,7 +217,8 @@ def test_heat_closes(tmp_path, name, mark):
 @pytest.mark.parametrize('mirrored', [False, True])
 def test_closed_adiabatic_column(tmp_path, mirrored):
     """Water below dry air between walls that pass nothing: in the end the vapour is saturated at the temperature at which
-    the internal energy of all is that of the start, an independent balance of two unknowns."""
+    the internal energy of all is that of the start, an independent balance of two unknowns: it cools by 0.08 K. Without
+    the work of the pressure it would cool by 0.005 K more."""
     L, film, n = 4e-3, 0.5e-3, 40
     case = tube(tmp_path, n=n, L=L, surface=film, energy=True, closed=True, mirrored=mirrored, endTime=4.0, deltaT=0.01)
     # One heat of evaporation at all temperatures: vapour with the heat capacity of the liquid
@@ -252,6 +253,6 @@ def test_closed_adiabatic_column(tmp_path, mirrored):
 
     exact = root(energy, T0 - 30, T0)
     T = case.ledger().Tsurface[-1]
-    assert T == pytest.approx(exact, abs=0.02)
+    assert T == pytest.approx(exact, abs=1e-3)
     partial = Ru * exact * (vapour(exact) / W + air / Wa) / (L - (water - vapour(exact)) / l['rho'])
     assert pressure[-1] == pytest.approx(partial, rel=1e-4)
