@@ -8,7 +8,8 @@
     output = case.go()
     x = case.positions(output)
 
-Distances are along the column from the patch low, a wall, to the patch high, that is open.
+Distances are along the column from the patch low, a wall, to the patch high, that is open, or with closed=True a wall
+that lets no heat through.
 """
 import re
 from math import erf, erfc, exp, pi, sqrt
@@ -136,7 +137,7 @@ class ColumnCase(Case):
     def write(self):
         super().write()
         same = {'type': 'zeroGradient'}
-        wall = {'noSlip': {'type': 'noSlip'}, 'flux': {'type': 'fixedFluxPressure', 'value': 'uniform 0'}}
+        no_slip, no_flux = {'type': 'noSlip'}, {'type': 'fixedFluxPressure', 'value': 'uniform 0'}
         wet = np.clip((self.edges[1:] - self.surface) / np.diff(self.edges), 0, 1)
         alpha = wet if self.gas_first else np.clip((self.surface - self.edges[:-1]) / np.diff(self.edges), 0, 1)
         if not (self.path / '0').exists():
@@ -145,9 +146,9 @@ class ColumnCase(Case):
                             same if self.closed else
                             {'type': 'inletOutlet' if self.gas_first else 'fixedValue',
                              'inletValue': f'uniform {self.T_high!r}', 'value': f'uniform {self.T_high!r}'})
-            self.field_file('U', '[0 1 -1 0 0 0 0]', 'uniform (0 0 0)', wall['noSlip'], wall['noSlip'] if self.closed else
+            self.field_file('U', '[0 1 -1 0 0 0 0]', 'uniform (0 0 0)', no_slip, no_slip if self.closed else
                             {'type': 'pressureInletOutletVelocity', 'value': 'uniform (0 0 0)'}, 'volVectorField')
-            self.field_file('p_rgh', '[1 -1 -2 0 0 0 0]', 'uniform 0', wall['flux'], wall['flux'] if self.closed else
+            self.field_file('p_rgh', '[1 -1 -2 0 0 0 0]', 'uniform 0', no_flux, no_flux if self.closed else
                             {'type': 'fixedValue', 'value': 'uniform 0'})
             self.field_file('alpha.water', '[0 0 0 0 0 0 0]', self.values(lambda x: alpha), same, same)
             if self.Y is not None:

@@ -18,8 +18,8 @@ LATERAL = {'yMin': '(0 1 5 4)', 'yMax': '(3 7 6 2)', 'zMin': '(0 3 2 1)', 'zMax'
 
 class FilmCase(ColumnCase):
     def __init__(self, path, cells, length, surface, sides=2, closed=False, **control):
-        super().__init__(path, cells, length, surface, gas_first=False, **control)
-        self.sides, self.closed = sides, closed
+        super().__init__(path, cells, length, surface, gas_first=False, closed=closed, **control)
+        self.sides = sides
 
     ledger = FluidCase.ledger
     evaporated = ColumnCase.ledger
@@ -48,8 +48,6 @@ class FilmCase(ColumnCase):
         return f'nonuniform List<scalar> {len(v)}(' + ' '.join(repr(float(x)) for x in v) + ')'
 
     def field_file(self, name, dimensions, internal, low, high, kind='volScalarField'):
-        if self.closed:
-            high = {'U': {'type': 'noSlip'}, 'p_rgh': low}.get(name, {'type': 'zeroGradient'})
         self.write_dict(f'0/{name}', {'dimensions': dimensions, 'internalField': internal, 'boundaryField': {
             'low': low, 'high': high, **{side: {'type': 'cyclic'} for side in LATERAL}}}, kind)
 
