@@ -61,8 +61,6 @@ class FilmCase(ColumnCase):
         if self.law['type'] == 'none':
             # In fluids at rest less than this is rounding
             text = text.replace('tolerance 1e-15', 'tolerance 1e-10', 1).replace('1e-11', '1e-9')
-        if self.closed:
-            text = text.replace('PIMPLE\n{', 'PIMPLE\n{\n    pRefCell 0;\n    pRefValue 0;', 1)
         path.write_text(text)
 
     def spheres(self, positions, d, engine='liggghts', density=2500.0, heatCapacity=500.0, coupling=None, T=None,
