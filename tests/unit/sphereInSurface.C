@@ -7,7 +7,7 @@
 // A sphere in the surface: its cap against Archimedes' h^2 (3R - h)/(4R^3), the
 // contact line against vectors of the tension there, slopes against
 // differences, detachment against 1/2 pi d sigma (1 - cos(theta)) = 5.65e-8 N
-// for d = 1 um, 0.072 N/m, 60 degrees
+// for d = 1 um, 0.072 N/m, 60 degrees; energies against the interfaces' areas
 
 #include <gtest/gtest.h>
 #include "sphereInSurface.H"
@@ -105,4 +105,69 @@ TEST(sphereInSurface, work)
         }
     }
     EXPECT_NEAR(sum/(8*pi/3*R*R*sigma*std::cos(theta)), 1, 1e-6);
+}
+
+// Work from rest to the nearer end, in the angle, where all is smooth
+template<class Pull>
+static double workOfDetachment
+(
+    const double sigma,
+    const double theta,
+    const double R
+)
+{
+    const double end = theta < pi/2 ? 0 : pi;
+    const int n = 20000;
+    double work = 0;
+    for (int i = 0; i < n; i++)
+    {
+        const double b = theta + (end - theta)*(i + 0.5)/n;
+        work -=
+            Pull(sigma, theta, R, -R*std::cos(b)).force
+           *R*std::sin(b)*(end - theta)/n;
+    }
+    return work;
+}
+
+TEST(sphereInSurface, energyOfDetachment)
+{
+    const double R = 2e-7, sigma = 0.04;
+    for (const double theta : {0.4, 1.2, pi/2, 2.0, 2.9})
+    {
+        const double E = detachmentEnergy(sigma, theta, R);
+        const double plane =
+            workOfDetachment<planeSurfacePull>(sigma, theta, R);
+        const double line =
+            workOfDetachment<contactLinePull>(sigma, theta, R);
+        EXPECT_NEAR(plane/E, 1, 1e-8);
+        EXPECT_NEAR(line/E, 2.0/3, 1e-8);
+    }
+}
+
+TEST(sphereInSurface, energyOfThePlane)
+{
+    // Areas: dry part of the sphere times sigma cos(theta), less the disc cut
+    // out of the surface
+    const double R = 3, sigma = 0.5, theta = 1.1;
+    const auto areas = [&](const double z)
+    {
+        return
+            sigma*(2*pi*R*R*(1 + z)*std::cos(theta) - pi*R*R*(1 - z*z));
+    };
+    for (double z = -0.95; z < 1; z += 0.1)
+    {
+        const planeSurfacePull pull(sigma, theta, R, z*R);
+        EXPECT_NEAR(pull.energy, areas(z) - areas(-std::cos(theta)), 1e-12);
+
+        const double e = 1e-5;
+        EXPECT_NEAR
+        (
+            pull.force, (areas(z - e) - areas(z + e))/(2*e*R), 1e-8
+        );
+        EXPECT_NEAR(pull.stiffness, 2*pi*sigma, 1e-14);
+    }
+    const planeSurfacePull in(sigma, theta, R, -4*R), out(sigma, theta, R, R);
+    EXPECT_EQ(in.force, 0);
+    EXPECT_EQ(out.stiffness, 0);
+    EXPECT_NEAR(in.energy/detachmentEnergy(sigma, theta, R), 1, 1e-14);
 }
