@@ -6,6 +6,7 @@
 
 #include "StokesDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "slipCorrection.H"
 #include "lawQuantities.H"
 #include "userEntry.H"
 
@@ -38,9 +39,7 @@ Foam::dew::dragModels::StokesDrag::StokesDrag(const dictionary& dict)
 
 Foam::scalar Foam::dew::dragModels::StokesDrag::Cc(const scalar d) const
 {
-    const scalar Kn = 2*meanFreePath_/d;
-
-    return Kn > 0 ? 1 + Kn*(1.257 + 0.4*exp(-1.1/Kn)) : 1;
+    return CunninghamFactor(meanFreePath_, d/2);
 }
 
 
