@@ -67,7 +67,8 @@ Foam::dew::interfaceTransfer::interfaceTransfer
     mDot_(noSource("mDot", mesh, dimDensity/dimTime)),
     rate_(0),
     rates_(gas.size(), Zero),
-    change_(GREAT)
+    change_(1),
+    lastChange_(1)
 {
     const dimensionSet dims(dimDensity/dimTime);
     forAll(vapourSu_, i)
@@ -122,14 +123,21 @@ void Foam::dew::interfaceTransfer::move()
     KG_.setSize(n);
     KL_.setSize(n);
     total_.setSize(n);
-    for (scalarField* f : {&dTsdY_, &Y0_, &dNdY_, &dNdTs_, &dNdX_, &N0_, &N_, &Xs_})
+    for
+    (
+        scalarField* f
+      : {
+            &dTsdY_, &Y0_, &dNdY_, &dNdYatTs_, &dNdTs_, &dNdX_, &N0_, &N_, &Xs_
+        }
+    )
     {
         f->setSize(n*size());
         *f = 0;
     }
     total_ = 0;
     Ts_ = 0;
-    change_ = GREAT;
+    change_ = 1;
+    lastChange_ = 1;
     area_ = cellArea();
     if (adjacent_.valid())
     {
@@ -167,7 +175,6 @@ void Foam::dew::interfaceTransfer::assemble(const speciesFields& Y)
                 const scalar Yi = Y[i][face.gas];
                 N_[ki] += dNdY_[ki]*Yi;
                 Ts += dTsdY_[ki]*(Yi - Y0_[ki]);
-                moved += mag(dNdY_[ki]*(Yi - Y0_[ki]))*face.S;
             }
             total_[k] += N_[ki];
             tangent += N0_[ki] + dNdY_[ki]*Y0_[ki];
@@ -179,10 +186,7 @@ void Foam::dew::interfaceTransfer::assemble(const speciesFields& Y)
             const scalar highest = max(Ts_[k], 0.9999*law_->TsMax());
             Ts_[k] = max(min(Ts, highest), 0.5*Ts_[k]);
         }
-        else
-        {
-            moved += mag(total_[k] - before)*face.S;
-        }
+        moved += mag(total_[k] - before)*face.S;
         most += mag(tangent)*face.S;
     }
     forAll(rates_, i)
@@ -193,6 +197,46 @@ void Foam::dew::interfaceTransfer::assemble(const speciesFields& Y)
     reduce(most, sumOp<scalar>());
     reduce(moved, sumOp<scalar>());
     change_ = max(change_, most > 0 ? moved/most : 0);
+}
+
+
+Foam::scalar Foam::dew::interfaceTransfer::error() const
+{
+    // Two changes make a ratio
+    return
+        lastChange_ < 1 && change_ < lastChange_
+      ? change_*change_/(lastChange_ - change_)
+      : change_;
+}
+
+
+void Foam::dew::interfaceTransfer::giveWay
+(
+    const label i,
+    const scalarField& diagonal
+)
+{
+    // Faces of one cell share its vapour; those close to its centre also Ts
+    scalarField byTs(mesh_.nCells(), Zero), byY(mesh_.nCells(), Zero);
+    scalarField tied(faces_.faces().size());
+    forAll(tied, k)
+    {
+        const interfaceFace& face = faces_.faces()[k];
+        const label ki = k*size() + i;
+        tied[k] = KG_[k]/(KG_[k] + KL_[k]);
+        byTs[face.gas] += tied[k]*dNdTs_[ki]*face.S;
+        byY[face.gas] += dNdYatTs_[ki]*face.S;
+    }
+    forAll(tied, k)
+    {
+        const interfaceFace& face = faces_.faces()[k];
+        const label ki = k*size() + i;
+        const scalar own = dNdTs_[ki]*face.S;
+        const scalar all = own + tied[k]*(byTs[face.gas] - tied[k]*own);
+        const scalar rest =
+            (diagonal[face.gas] - vapourSp_[i][face.gas])*mesh_.V()[face.gas];
+        dNdTs_[ki] += dNdYatTs_[ki]*all/(rest - byY[face.gas]);
+    }
 }
 
 

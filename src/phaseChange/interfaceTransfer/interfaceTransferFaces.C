@@ -50,6 +50,7 @@ void Foam::dew::interfaceTransfer::keep(const label k, const bool heat)
         dNdTs_[ki] = flux_.dNdTs[i];
         dTsdY_[ki] = 0;
         scalar dNdY = flux_.dNdY[i];
+        dNdYatTs_[ki] = dNdY;
         if (heat && (dNdY != 0 || flux_.dNdTs[i] != 0))
         {
             // More vapour, less evaporates, the surface gets warmer
@@ -161,6 +162,7 @@ void Foam::dew::interfaceTransfer::linearise
         vapourSu_[i].field() = 0;
         vapourSp_[i].field() = 0;
     }
+    lastChange_ = change_;
     change_ = 0;
     const label n = size();
     List<scalarField> YG(adjacent_.valid() ? n : 0);

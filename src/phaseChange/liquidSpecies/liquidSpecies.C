@@ -34,9 +34,10 @@ Foam::dew::liquidSpecies::liquidSpecies
     content_(liquid.size()),
     after_(mesh_.nCells(), Zero),
     before_(after_),
+    shareBefore_(alpha.primitiveField()),
     potential_
     (
-        IOobject("liquidPotential", mesh_.time().timeName(), mesh_),
+        IOobject("chiLiquid", mesh_.time().timeName(), mesh_),
         mesh_,
         dimensionedScalar(dimMass/dimLength/dimTime, Zero),
         zeroGradientFvPatchScalarField::typeName
@@ -168,8 +169,10 @@ void Foam::dew::liquidSpecies::solveUniform
 
 void Foam::dew::liquidSpecies::start()
 {
+    shareBefore_ = alpha_.primitiveField();
     if (!several())
     {
+        move();
         return;
     }
     bool read = true;
@@ -206,12 +209,13 @@ void Foam::dew::liquidSpecies::solve
         solveUniform(mesh_.time().deltaTValue(), last);
         return;
     }
-    solveCells(flux(phiL)(), T, p, last);
+    solveCells(flux(phiL), T, p, last);
 }
 
 
 void Foam::dew::liquidSpecies::store()
 {
+    shareBefore_ = alpha_.primitiveField();
     const scalarField own(alpha_.primitiveField()*mesh_.V());
     const scalar all = gSum(own);
     forAll(held_, i)
@@ -230,12 +234,17 @@ void Foam::dew::liquidSpecies::store()
 
 void Foam::dew::liquidSpecies::move()
 {
-    if (!several())
+    F_.clear();
+    uniform_ =
+        !several() || liquid_.wellMixed() || gSum(region_.V()) <= 0;
+    if (uniform_)
     {
-        return;
+        before_ = rhoL_*region_.collect(shareBefore_);
     }
-    uniform_ = liquid_.wellMixed() || gSum(region_.V()) <= 0;
-    before_ = 0;
+    else
+    {
+        before_ = 0;
+    }
     forAll(held_, i)
     {
         mass_[i] = gSum(scalarField(held_[i].primitiveField()*mesh_.V()));

@@ -22,21 +22,30 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::tmp<Foam::surfaceScalarField> Foam::dew::liquidSpecies::flux
+const Foam::surfaceScalarField& Foam::dew::liquidSpecies::flux
 (
     const surfaceScalarField& phiL
 )
 {
+    if (F_.valid())
+    {
+        return F_();
+    }
     const interfaceFaces& faces = interface_.faces();
-    const surfaceScalarField inside(faces.sameSide() - faces.sameGas());
+    const surfaceScalarField& inside = faces.sameLiquid();
     const dimensionedScalar rho("rho", dimDensity, rhoL_);
-    tmp<surfaceScalarField> tF(rho*inside*phiL);
-    surfaceScalarField& F = tF.ref();
+    F_.reset(new surfaceScalarField("liquidFlux", rho*inside*phiL));
+    surfaceScalarField& F = F_();
 
     // Mass the cells have too much, over what they stand for
-    const scalar dt = mesh_.time().deltaTValue();
     const scalarField& V = region_.V();
-    const scalar scale = gSum(before_)/gSum(V);
+    const scalar all = gSum(V);
+    if (all <= 0)
+    {
+        return F;
+    }
+    const scalar dt = mesh_.time().deltaTValue();
+    const scalar scale = gSum(before_)/all;
     volScalarField::Internal excess
     (
         IOobject("excess", mesh_.time().timeName(), mesh_),
@@ -64,7 +73,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::dew::liquidSpecies::flux
     );
     eqn.solve();
     F += eqn.flux();
-    return tF;
+    return F;
 }
 
 
@@ -77,7 +86,7 @@ void Foam::dew::liquidSpecies::solveCells
 )
 {
     const interfaceFaces& faces = interface_.faces();
-    const surfaceScalarField inside(faces.sameSide() - faces.sameGas());
+    const surfaceScalarField& inside = faces.sameLiquid();
     const scalar dt = mesh_.time().deltaTValue();
     speciesFields& X = liquid_.X();
 

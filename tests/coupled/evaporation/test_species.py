@@ -31,7 +31,7 @@ class SpeciesCase(EvaporationCase):
             self.field_file(f'Y.{name}', '[0 0 0 0 0 0 0]', value, SAME,
                             {'type': 'fixedValue', 'value': f'uniform {value!r}'})
         path = self.path / 'system' / 'fvSolution'
-        path.write_text(path.read_text().replace('(Y.*|T|U)', '([XY].*|T|U)').replace('(chi|pc)', '(chi|pc|liquidP.*)'))
+        path.write_text(path.read_text().replace('(Y.*|T|U)', '([XY].*|T|U)').replace('(chi|pc)', '(chi.*|pc)'))
 
 
 def kind(name, pSat=3169, **more):
