@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "liquidSpecies.H"
+#include "fvcDiv.H"
 #include "interfaceTransfer.H"
 #include "liquidPhase.H"
 #include "phaseRegion.H"
@@ -34,7 +35,16 @@ Foam::dew::liquidSpecies::liquidSpecies
     content_(liquid.size()),
     after_(mesh_.nCells(), Zero),
     before_(after_),
-    shareBefore_(alpha.primitiveField()),
+    all_
+    (
+        IOobject
+        (
+            "liquidHeld", mesh_.time().timeName(), mesh_,
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE
+        ),
+        mesh_,
+        dimensionedScalar("none", dimDensity, -1)
+    ),
     potential_
     (
         IOobject("chiLiquid", mesh_.time().timeName(), mesh_),
@@ -124,7 +134,11 @@ Foam::tmp<Foam::scalarField> Foam::dew::liquidSpecies::loss
     slope.setSize(mesh_.nCells());
     slope = 0;
     interface_.faces().toLiquid(slopes, slope);
-    tloss.ref() += walls*before_/gSum(before_);
+    const scalar all = gSum(before_);
+    if (all > 0)
+    {
+        tloss.ref() += walls*before_/all;
+    }
     return tloss;
 }
 
@@ -169,7 +183,10 @@ void Foam::dew::liquidSpecies::solveUniform
 
 void Foam::dew::liquidSpecies::start()
 {
-    shareBefore_ = alpha_.primitiveField();
+    if (gMin(all_.primitiveField()) < 0)
+    {
+        all_.primitiveFieldRef() = rhoL_*alpha_.primitiveField();
+    }
     if (!several())
     {
         move();
@@ -215,7 +232,21 @@ void Foam::dew::liquidSpecies::solve
 
 void Foam::dew::liquidSpecies::store()
 {
-    shareBefore_ = alpha_.primitiveField();
+    if (uniform_ && F_.valid())
+    {
+        const scalar dt = mesh_.time().deltaTValue();
+        after_ =
+            before_
+          - dt*fvc::div(F_())().primitiveField()*mesh_.V();
+        scalarField unused;
+        forAll(mass_, i)
+        {
+            after_ -= loss(i, dt, unused);
+        }
+        all_.primitiveFieldRef() = region_.giveBack(after_);
+        all_.writeOpt() = IOobject::AUTO_WRITE;
+    }
+
     const scalarField own(alpha_.primitiveField()*mesh_.V());
     const scalar all = gSum(own);
     forAll(held_, i)
@@ -239,7 +270,7 @@ void Foam::dew::liquidSpecies::move()
         !several() || liquid_.wellMixed() || gSum(region_.V()) <= 0;
     if (uniform_)
     {
-        before_ = rhoL_*region_.collect(shareBefore_);
+        before_ = region_.collect(all_.primitiveField());
     }
     else
     {

@@ -37,7 +37,8 @@ const Foam::surfaceScalarField& Foam::dew::liquidSpecies::flux
     F_.reset(new surfaceScalarField("liquidFlux", rho*inside*phiL));
     surfaceScalarField& F = F_();
 
-    // Mass the cells have too much, over what they stand for
+    // Mass the cells have too much, over what they stand for, beside what goes
+    // through boundaries
     const scalarField& V = region_.V();
     const scalar all = gSum(V);
     if (all <= 0)
@@ -45,14 +46,15 @@ const Foam::surfaceScalarField& Foam::dew::liquidSpecies::flux
         return F;
     }
     const scalar dt = mesh_.time().deltaTValue();
-    const scalar scale = gSum(before_)/all;
+    const scalarField out(fvc::div(F)().primitiveField()*mesh_.V());
+    const scalar scale = gSum(scalarField(before_ - dt*out))/all;
     volScalarField::Internal excess
     (
         IOobject("excess", mesh_.time().timeName(), mesh_),
         mesh_,
         dimensionedScalar(dimDensity/dimTime, Zero)
     );
-    excess.field() = (before_ - scale*V)/(mesh_.V()*dt);
+    excess.field() = (before_ - dt*out - scale*V)/(mesh_.V()*dt);
 
     volScalarField::Internal screen
     (
@@ -69,7 +71,7 @@ const Foam::surfaceScalarField& Foam::dew::liquidSpecies::flux
     (
       - fvm::laplacian(inside, potential_) + fvm::Sp(screen, potential_)
      ==
-        excess - fvc::div(F)()()
+        excess
     );
     eqn.solve();
     F += eqn.flux();
