@@ -216,26 +216,45 @@ void Foam::dew::interfaceTransfer::giveWay
     const scalarField& diagonal
 )
 {
-    // Faces of one cell share its vapour; those close to its centre also Ts
+    const auto& faces = faces_.faces();
+    const auto rest = [&](const label celli)
+    {
+        return (diagonal[celli] - vapourSp_[i][celli])*mesh_.V()[celli];
+    };
     scalarField byTs(mesh_.nCells(), Zero), byY(mesh_.nCells(), Zero);
-    scalarField tied(faces_.faces().size());
-    forAll(tied, k)
+    forAll(faces, k)
     {
-        const interfaceFace& face = faces_.faces()[k];
-        const label ki = k*size() + i;
-        tied[k] = KG_[k]/(KG_[k] + KL_[k]);
-        byTs[face.gas] += tied[k]*dNdTs_[ki]*face.S;
-        byY[face.gas] += dNdYatTs_[ki]*face.S;
+        byTs[faces[k].gas] += dNdTs_[k*size() + i]*faces[k].S;
+        byY[faces[k].gas] -= dNdYatTs_[k*size() + i]*faces[k].S;
     }
-    forAll(tied, k)
+
+    // How far Ts goes with the liquid, if the vapour gives way to this face
+    scalarField follows(faces.size());
+    scalarField sum(mesh_.nCells(), Zero);
+    forAll(faces, k)
     {
-        const interfaceFace& face = faces_.faces()[k];
+        const interfaceFace& face = faces[k];
+        const label ki = k*size() + i;
+        const scalar all = rest(face.gas) + byY[face.gas];
+        const scalar slope =
+            dNdTs_[ki]*face.S*(1 + dNdYatTs_[ki]*face.S/all)
+           *liquid_.liquids().liquid(i).hv(p0_, Ts_[k]);
+        follows[k] =
+            (KL_[k] + VSMALL)/(KL_[k] + KG_[k] + slope + VSMALL);
+        sum[face.gas] += follows[k]*dNdTs_[ki]*face.S;
+    }
+
+    // The faces of a cell share its vapour, and Ts of all move together
+    forAll(faces, k)
+    {
+        const interfaceFace& face = faces[k];
         const label ki = k*size() + i;
         const scalar own = dNdTs_[ki]*face.S;
-        const scalar all = own + tied[k]*(byTs[face.gas] - tied[k]*own);
-        const scalar rest =
-            (diagonal[face.gas] - vapourSp_[i][face.gas])*mesh_.V()[face.gas];
-        dNdTs_[ki] += dNdYatTs_[ki]*all/(rest - byY[face.gas]);
+        const scalar others =
+            min(sum[face.gas]/follows[k], byTs[face.gas]) - own;
+        dNdTs_[ki] +=
+            dNdYatTs_[ki]*(own + max(others, scalar(0)))
+           /(rest(face.gas) + byY[face.gas]);
     }
 }
 
