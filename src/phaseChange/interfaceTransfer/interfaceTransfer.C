@@ -236,9 +236,13 @@ void Foam::dew::interfaceTransfer::giveWay
         const interfaceFace& face = faces[k];
         const label ki = k*size() + i;
         const scalar all = rest(face.gas) + byY[face.gas];
-        const scalar slope =
-            dNdTs_[ki]*face.S*(1 + dNdYatTs_[ki]*face.S/all)
-           *liquid_.liquids().liquid(i).hv(p0_, Ts_[k]);
+        scalar slope = 0;
+        if (dNdTs_[ki] != 0)
+        {
+            slope =
+                dNdTs_[ki]*face.S*(1 + dNdYatTs_[ki]*face.S/all)
+               *liquid_.liquids().liquid(i).hv(p0_, Ts_[k]);
+        }
         follows[k] =
             (KL_[k] + VSMALL)/(KL_[k] + KG_[k] + slope + VSMALL);
         sum[face.gas] += follows[k]*dNdTs_[ki]*face.S;
