@@ -51,9 +51,10 @@ void Foam::dew::interfaceTransfer::keep(const label k, const bool heat)
         dTsdY_[ki] = 0;
         scalar dNdY = flux_.dNdY[i];
         dNdYatTs_[ki] = dNdY;
-        if (heat && (dNdY != 0 || flux_.dNdTs[i] != 0))
+        if (heat && size() == 1 && (dNdY != 0 || flux_.dNdTs[i] != 0))
         {
-            // More vapour, less evaporates, the surface gets warmer
+            // More vapour, less evaporates, the surface gets warmer. Of
+            // several one may take the place of another, at one Ts
             const scalar hvS =
                 liquid_.liquids().liquid(i).hv(p0_, Ts_[k])*face.S;
             const scalar sum = K + hvS*flux_.dNdTs[i];
