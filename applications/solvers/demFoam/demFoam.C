@@ -11,8 +11,9 @@ Group
     grpLagrangianSolvers
 
 Description
-    Particles alone: contact, walls, gravity, heat conduction. The case is set
-    up in constant/particleProperties; the mesh gives the domain, its cyclic
+    Particles alone: contact, walls, gravity, heat conduction, and a given
+    fluid around them (surroundingFluid). The case is set up in
+    constant/particleProperties; the mesh gives the domain, its cyclic
     sides and, where wanted, the walls.
 
 Usage
@@ -27,6 +28,7 @@ Usage
 #include "particleOutput.H"
 #include "particleReport.H"
 #include "polyMesh.H"
+#include "surroundingFluid.H"
 #include "Time.H"
 
 using namespace Foam;
@@ -44,6 +46,9 @@ int main(int argc, char *argv[])
     autoPtr<dew::particleEngine> engine(dew::particleEngine::New(mesh));
     dew::particleEngine& particles = engine();
 
+    // What the entry fluid tells of, if anything
+    dew::surroundingFluid fluid(mesh, particles);
+
     // Cloud, VTK and table of every write time
     dew::particleOutput output(mesh, particles);
     dew::particleReport report(runTime, particles, output);
@@ -54,7 +59,7 @@ int main(int argc, char *argv[])
     {
         ++runTime;
 
-        particles.evolve();
+        particles.evolve(fluid.forces());
 
         runTime.write();
 

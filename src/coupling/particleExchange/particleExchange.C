@@ -84,6 +84,13 @@ Foam::dew::particleExchange::particleExchange
 
     needs_.add(seenVelocity_.needs());
 
+    if (particleProperties.found("fluid"))
+    {
+        FatalIOErrorInFunction(particleProperties)
+            << "Entry 'fluid' is for particles alone (demFoam): this solver has"
+            << " a fluid of its own" << nl << "Remove the entry"
+            << exit(FatalIOError);
+    }
     if (particleProperties.found("frameAcceleration"))
     {
         frameAcceleration_ =

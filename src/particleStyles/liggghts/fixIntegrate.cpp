@@ -74,6 +74,7 @@ Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
     heated_(false),
     overdamped_(narg == 4 && std::strcmp(arg[3], "overdamped") == 0),
     seed_(1),
+    minGap_(0),
     maxRadius_(0),
     halves_(0),
     temperature_(nullptr),

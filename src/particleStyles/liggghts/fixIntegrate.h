@@ -45,6 +45,12 @@ Description
     that does not rotate. Contact laws see the displacement over dt, with the
     noise. There is no noise of rotation.
 
+    Beside plane walls (hinderingWalls) without inertia the mobility 1/Sp is
+    less, by that of the nearest wall along its normal n and along it
+    (wallMobility), and the step has Ito's drift:
+
+        v = (M/Sp).(F + Su) + kT/Sp dMn/dh n
+
     Force and torque of the last sub-step are written to restarts, because
     damping contact forces depend on the half-step velocity and cannot be
     recomputed: a run continued from a restart, or after an insertion, starts
@@ -137,6 +143,10 @@ private:
     const bool overdamped_;
     uint64_t seed_;
 
+    //- Point and normal of plane walls that hinder, least gap for it
+    std::vector<double> planes_;
+    double minGap_;
+
     double maxRadius_;
 
     //- Half sub-steps since load()
@@ -183,6 +193,15 @@ private:
         double drift(int i, double* v, double* m, double& along) const;
         void spin(int i) const;
 
+        //- Of the nearest plane wall: normal, mobility relative to 1/Sp along
+        //  it and across, d/dh of the first
+        struct nearWall { const double* n; double normal, parallel, slope; };
+        nearWall hindrance(int i) const;
+
+        //- Velocity beside walls, and the noise of a step as a velocity
+        void hinder(const nearWall&, int i, double* v) const;
+        void moveHindered(int i, uint64_t step);
+
         //- Offset from the surface after a sub-step with velocity v
         void follow(int i, const double* v);
         void moveOverdamped();
@@ -196,6 +215,12 @@ public:
 
     //- Seed of the noise
     void seed(uint64_t value) { seed_ = value; }
+
+    void hinderingWalls(const std::vector<double>& planes, double minGap)
+    {
+        planes_ = planes;
+        minGap_ = minGap;
+    }
 
     bool overdamped() const { return overdamped_; }
 

@@ -11,6 +11,7 @@
 #include "../brownianMotion.H"
 #include "../sphereInSurface.H"
 #include "../surfaceSpring.H"
+#include "../wallMobility.H"
 
 #include <algorithm>
 #include <cmath>
@@ -301,6 +302,102 @@ double Foam::dew::fixIntegrate::drift
 }
 
 
+Foam::dew::fixIntegrate::nearWall Foam::dew::fixIntegrate::hindrance
+(
+    const int i
+) const
+{
+    const double* x = atom->x[i];
+    const double R = atom->radius[i];
+    nearWall w{nullptr, 1, 1, 0};
+    double least = 0;
+
+    for (size_t k = 0; k < planes_.size(); k += 6)
+    {
+        const double* p = &planes_[k];
+        const double gap =
+            (x[0] - p[0])*p[3] + (x[1] - p[1])*p[4] + (x[2] - p[2])*p[5] - R;
+
+        if (!w.n || gap < least)
+        {
+            w.n = p + 3;
+            least = gap;
+        }
+    }
+
+    const wallMobility m(std::max(least, minGap_), R);
+    w.normal = m.normal;
+    w.parallel = m.parallel;
+    // Where the mobility is held at its least, it does not vary
+    w.slope = least > minGap_ ? m.normalSlope : 0;
+
+    return w;
+}
+
+
+void Foam::dew::fixIntegrate::hinder
+(
+    const nearWall& w,
+    const int i,
+    double* v
+) const
+{
+    const double* d = data_[i];
+    const double drift = colloid_ ? colloid_[i][kT]*w.slope/d[Sp] : 0;
+    double F[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        F[k] = (atom->f[i][k] + d[Su+k])/d[Sp];
+    }
+    const double along = (w.normal - w.parallel)*dot(F, w.n) + drift;
+
+    for (int k = 0; k < 3; k++)
+    {
+        v[k] = w.parallel*F[k] + along*w.n[k];
+    }
+}
+
+
+void Foam::dew::fixIntegrate::moveHindered(const int i, const uint64_t step)
+{
+    const double dt = update->dt;
+    double* d = data_[i];
+    double* v = atom->v[i];
+    const nearWall w = hindrance(i);
+
+    hinder(w, i, v);
+    spin(i);
+
+    // The drag balances all other forces
+    for (int k = 0; k < 3; k++)
+    {
+        d[impulse+k] -= atom->f[i][k]*dt;
+        d[angularImpulse+k] -= atom->torque[i][k]*dt;
+    }
+
+    const double kTi = colloid_ ? colloid_[i][kT] : 0;
+    if (kTi > 0)
+    {
+        double g[4];
+        gaussians(seed_, atom->tag[i], step, 0, g);
+
+        const double width = diffusionStep(kTi, d[Sp], dt)/dt;
+        const double across = std::sqrt(w.parallel);
+        const double along = (std::sqrt(w.normal) - across)*dot(g, w.n);
+        for (int k = 0; k < 3; k++)
+        {
+            v[k] += width*(across*g[k] + along*w.n[k]);
+        }
+    }
+
+    for (int k = 0; k < 3; k++)
+    {
+        atom->x[i][k] += v[k]*dt;
+    }
+}
+
+
 void Foam::dew::fixIntegrate::spin(const int i) const
 {
     const double* d = data_[i];
@@ -340,6 +437,11 @@ void Foam::dew::fixIntegrate::moveOverdamped()
         double* v = atom->v[i];
         double m[3], along;
 
+        if (!planes_.empty())
+        {
+            moveHindered(i, step);
+            continue;
+        }
         const double share = drift(i, v, m, along);
         if (share == 0)
         {
@@ -388,7 +490,12 @@ void Foam::dew::fixIntegrate::endOverdamped()
     for (int i = 0; i < atom->nlocal; i++)
     {
         double m[3], along;
-        if (drift(i, atom->v[i], m, along) > 0)
+        if (!planes_.empty())
+        {
+            hinder(hindrance(i), i, atom->v[i]);
+            spin(i);
+        }
+        else if (drift(i, atom->v[i], m, along) > 0)
         {
             spin(i);
         }

@@ -320,6 +320,21 @@ void Foam::dew::liggghtsEmbedded::dynamics
 }
 
 
+void Foam::dew::liggghtsEmbedded::hinderingWalls
+(
+    const std::vector<double>& planes,
+    const double minGap
+)
+{
+    std::vector<double> own(planes);
+    for (size_t k = 0; k < own.size(); k++)
+    {
+        own[k] /= k % 6 < 3 ? units_.length : 1;
+    }
+    integrator().hinderingWalls(own, minGap/units_.length);
+}
+
+
 void Foam::dew::liggghtsEmbedded::gravity
 (
     std::function<void(double, double*)> value

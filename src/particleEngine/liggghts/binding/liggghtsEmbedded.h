@@ -107,6 +107,10 @@ public:
     void units(const engineUnits& u) override { units_ = u; }
     void expect(double maxRadius, bool heat) override;
     void dynamics(unsigned long seed, double viscosity) override;
+    void hinderingWalls
+    (
+        const std::vector<double>& planes, double minGap
+    ) override;
     double deltaT() const override { return lmp_->update->dt*units_.time; }
     void gravity(std::function<void(double, double*)>) override;
     long add(const newParticles&) override;

@@ -79,7 +79,8 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             "FoamFile", "engine", "periodic", "heat", "overlapTolerance",
             "materials", "contacts", "walls", "insertion", "timeStep", "skin",
             "processors", "commands", "input", "library", "frameAcceleration",
-            "coupling", "output", "dynamics", "conduction", "lubrication"
+            "coupling", "output", "dynamics", "conduction", "lubrication",
+            "fluid"
         }
     );
 
@@ -157,6 +158,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             e.units(units_);
             e.expect(0.5*maxDiameter_, heat_);
             e.dynamics(seed_, viscosity_);
+            hinder(e);
 
             if (mag(e.deltaT()/deltaT_ - 1) > 1e-9)
             {
@@ -275,6 +277,57 @@ void Foam::dew::liggghtsEngine::readDynamics()
             << "Remove it, or set 'type overdamped;'"
             << exit(FatalIOError);
     }
+}
+
+
+void Foam::dew::liggghtsEngine::hinder(liggghtsBinding& e) const
+{
+    const dictionary& fluid = userEntry::optionalDict(dict_, "fluid");
+    if (!fluid.found("hindered"))
+    {
+        return;
+    }
+    const dictionary& dict = userEntry::subDict(fluid, "hindered");
+    userEntry::onlyThese(dict, {"walls", "minGap"});
+
+    if (!state_.overdamped || fluid.found("surface") || fluid.found("velocity"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'hindered' is for dynamics of type overdamped, in a fluid"
+            << " at rest without a surface" << nl
+            << "Remove it, or the entries surface and velocity, or set"
+            << " 'dynamics { type overdamped; ... }'"
+            << exit(FatalIOError);
+    }
+
+    const scalar minGap = userEntry::positive(dict, "minGap", dimLength);
+    const dictionary& walls = userEntry::optionalDict(dict_, "walls");
+    std::vector<double> planes;
+
+    for (const word& name : dict.get<wordList>("walls"))
+    {
+        const dictionary& wall = userEntry::subDict(walls, name);
+        if (wall.get<word>("type") != "plane" || wall.found("motion"))
+        {
+            FatalIOErrorInFunction(wall)
+                << "Wall '" << name << "' cannot hinder mobility: only walls of"
+                << " type plane at rest can" << nl
+                << "Remove it from fluid.hindered.walls"
+                << exit(FatalIOError);
+        }
+        const vector x(userEntry::point(wall, "point", dimLength));
+        const vector n(userEntry::direction(wall, "normal"));
+        planes.insert(planes.end(), {x.x(), x.y(), x.z(), n.x(), n.y(), n.z()});
+    }
+
+    if (planes.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'walls' in " << dict.dictName() << " is empty" << nl
+            << "Name walls of type plane, or remove the entry 'hindered'"
+            << exit(FatalIOError);
+    }
+    e.hinderingWalls(planes, minGap);
 }
 
 
