@@ -68,7 +68,7 @@ DynamicList<extreme> extremes
 {
     DynamicList<extreme> found;
     const int n = 2000;
-    const scalar ratio = pow(last/first, 1.0/n);
+    const scalar ratio = std::pow(last/first, 1.0/scalar(n));
     scalar h = first;
     for (int i = 0; i < n; i++, h *= ratio)
     {
@@ -83,7 +83,7 @@ DynamicList<extreme> extremes
             const scalar middle = 0.5*(a + b);
             (repels == (f(middle).F > 0) ? a : b) = middle;
         }
-        found.append({a, f(a).U, !repels});
+        found.append(extreme{a, f(a).U, !repels});
     }
     return found;
 }
@@ -274,11 +274,11 @@ int main(int argc, char *argv[])
             << "-rows " << n << nl << "Give 2 or more" << exit(FatalError);
     }
 
-    dew::printedTable table({"h", "U/kT", "F"});
+    dew::printedTable table(wordList({"h", "U/kT", "F"}));
     for (label k = 0; k < n; k++)
     {
-        const scalar h = first*pow(last/first, scalar(k)/(n - 1));
-        table.append({h, f(h).U/kT, f(h).F});
+        const scalar h = first*std::pow(last/first, scalar(k)/scalar(n - 1));
+        table.append(scalarList({h, f(h).U/kT, f(h).F}));
     }
     table.print(Info);
 
