@@ -34,6 +34,47 @@ Foam::dew::colloidForces::colloidForces
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+template<class Law>
+Foam::dew::colloidForce Foam::dew::colloidForces::sum
+(
+    const double h,
+    const Law& law
+) const
+{
+    colloidForce total{0, 0};
+    if (h < cutOff())
+    {
+        const double least = medium_.minGap();
+        const double gap = h > least ? h : least;
+        for (const colloidLaw& one : laws_)
+        {
+            total += law(one, gap);
+        }
+        total.U += total.F*(gap - h);
+    }
+    return total;
+}
+
+
+template<class Force>
+Foam::scalar Foam::dew::colloidForces::stiffness(const Force& F) const
+{
+    // Gaps of equal ratio; the slope over each is below 1 % of the largest
+    const int n = 2000;
+    const scalar least = max(medium_.minGap(), 1e-4*cutOff());
+    const scalar ratio = pow(cutOff()*(1 - 1e-9)/least, 1.0/n);
+    scalar most = 0, h = least, before = F(h);
+    for (int i = 0; i < n; i++)
+    {
+        const scalar next = F(h*ratio);
+        most = max(most, mag(next - before)/(h*(ratio - 1)));
+        before = next;
+        h *= ratio;
+    }
+    return most;
+}
+
+
 void Foam::dew::colloidForces::check
 (
     const dictionary& dict,

@@ -27,6 +27,8 @@ Foam::dew::fixColloidPairs::fixColloidPairs(LAMMPS* lmp, int narg, char** arg)
 :
     Fix(lmp, narg, arg),
     law_(nullptr),
+    length_(1),
+    force_(1),
     walls_(nullptr),
     energy_(0)
 {
@@ -43,7 +45,7 @@ Foam::dew::fixColloidPairs::fixColloidPairs(LAMMPS* lmp, int narg, char** arg)
 void Foam::dew::fixColloidPairs::pairs()
 {
     const NeighList& list = *force->pair_match("gran", 0)->list;
-    const double length = units_.length;
+    const double length = length_;
     const double cutOff = law_->cutOff()/length;
     double** x = atom->x;
     double** f = atom->f;
@@ -76,7 +78,7 @@ void Foam::dew::fixColloidPairs::pairs()
                 type[i] - 1, type[j] - 1,
                 radius[i]*length, radius[j]*length, (r - sum)*length
             );
-            const double scale = c.F/(units_.force()*r);
+            const double scale = c.F/(force_*r);
             energy_ += j < nLocal ? c.U : 0.5*c.U;
 
             for (int k = 0; k < 3; k++)
@@ -96,7 +98,7 @@ void Foam::dew::fixColloidPairs::atWalls()
 {
     for (const wallContact& w : walls_->contacts())
     {
-        const double h = w.gap*units_.length;
+        const double h = w.gap*length_;
         if (h >= law_->cutOff())
         {
             continue;
@@ -104,12 +106,12 @@ void Foam::dew::fixColloidPairs::atWalls()
         const colloidForce c = law_->wall
         (
             atom->type[w.i] - 1, w.type - 1,
-            atom->radius[w.i]*units_.length, h
+            atom->radius[w.i]*length_, h
         );
         energy_ += c.U;
         for (int k = 0; k < 3; k++)
         {
-            atom->f[w.i][k] += c.F/units_.force()*w.n[k];
+            atom->f[w.i][k] += c.F/force_*w.n[k];
         }
     }
 }
@@ -120,11 +122,13 @@ void Foam::dew::fixColloidPairs::atWalls()
 void Foam::dew::fixColloidPairs::interaction
 (
     const pairInteraction& law,
-    const engineUnits& units
+    const double length,
+    const double force
 )
 {
     law_ = &law;
-    units_ = units;
+    length_ = length;
+    force_ = force;
 }
 
 

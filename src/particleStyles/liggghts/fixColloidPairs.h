@@ -29,7 +29,6 @@ SourceFiles
 
 #include <mpi.h>
 #include "fix.h"
-#include "engineUnits.H"
 
 namespace Foam
 {
@@ -45,7 +44,8 @@ class fixColloidPairs
 {
     const pairInteraction* law_;
 
-    engineUnits units_;
+    //- One unit of the engine [m], [N]
+    double length_, force_;
 
     fixWallContacts* walls_;
 
@@ -59,8 +59,8 @@ public:
 
     fixColloidPairs(LAMMPS_NS::LAMMPS*, int narg, char** arg);
 
-    //- The laws, which outlive this fix, and the engine's units
-    void interaction(const pairInteraction&, const engineUnits&);
+    //- The laws, which outlive this fix, and the engine's units [m], [N]
+    void interaction(const pairInteraction&, double length, double force);
 
     //- Energy of this rank [J]
     double energy() const { return energy_; }

@@ -29,7 +29,7 @@ def fresh(path, name):
     return path
 
 
-@pytest.mark.parametrize('name', ['demFoam/collisions', pytest.param('demFoam/packing', marks=pytest.mark.slow),
+@pytest.mark.parametrize('name', ['demFoam/collisions', 'demFoam/dlvoPair', pytest.param('demFoam/packing', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/Goldschmidt', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/liquidFluidisedBed', marks=pytest.mark.slow),

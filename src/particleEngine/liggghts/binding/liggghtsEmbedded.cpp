@@ -371,7 +371,7 @@ void Foam::dew::liggghtsEmbedded::colloids(const pairInteraction& laws)
             "no colloids: the commands lack 'fix <id> all dew/colloidPairs'"
         );
     }
-    colloids_->interaction(laws, units_);
+    colloids_->interaction(laws, units_.length, units_.force());
 }
 
 
