@@ -105,7 +105,7 @@ TEST(colloidForces, againstHighPrecision)
     {
         const double h = p[p.size() - 3], F = p[p.size() - 2], U = p.back();
         const colloidForce f = law(p, h, 1e-14);
-        const double tolerance = p[0] == 8 ? 1e-10 : 2e-13;
+        const double tolerance = p[0] == 8 ? 1e-12 : 1e-13;
         const double terms = scale(p, h);
         EXPECT_NEAR(f.F, F, tolerance*std::fabs(F) + 1e-14*terms/h) << at(p);
         EXPECT_NEAR(f.U, U, tolerance*std::fabs(U) + 1e-14*terms) << at(p);

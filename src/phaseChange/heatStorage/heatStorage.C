@@ -71,7 +71,12 @@ Foam::dew::heatStorage::heatStorage
     lessH_("lessH", lessC_*T0_),
     before_
     (
-        IOobject("Tbefore", mesh.time().timeName(), mesh),
+        // By the name of what schemes are chosen for
+        IOobject
+        (
+            "T", mesh.time().timeName(), mesh, IOobject::NO_READ,
+            IOobject::NO_WRITE, false
+        ),
         mesh,
         dimensionedScalar(dimTemperature, Zero)
     ),

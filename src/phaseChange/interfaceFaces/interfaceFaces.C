@@ -27,7 +27,8 @@ Foam::dew::interfaceFaces::interfaceFaces
         mesh,
         dimensionedScalar("one", dimless, 1)
     ),
-    sameSide_("sameSide", sameGas_)
+    sameSide_("sameSide", sameGas_),
+    sameLiquid_("sameLiquid", sameGas_)
 {
     correct();
 }
@@ -257,6 +258,8 @@ void Foam::dew::interfaceFaces::correct()
             }
         }
     }
+
+    sameLiquid_ = sameSide_ - sameGas_;
 }
 
 

@@ -67,7 +67,8 @@ Foam::dew::interfaceTransfer::interfaceTransfer
     mDot_(noSource("mDot", mesh, dimDensity/dimTime)),
     rate_(0),
     rates_(gas.size(), Zero),
-    change_(GREAT)
+    change_(1),
+    lastChange_(1)
 {
     const dimensionSet dims(dimDensity/dimTime);
     forAll(vapourSu_, i)
@@ -122,14 +123,21 @@ void Foam::dew::interfaceTransfer::move()
     KG_.setSize(n);
     KL_.setSize(n);
     total_.setSize(n);
-    for (scalarField* f : {&dTsdY_, &Y0_, &dNdY_, &dNdTs_, &dNdX_, &N0_, &N_, &Xs_})
+    for
+    (
+        scalarField* f
+      : {
+            &dTsdY_, &Y0_, &dNdY_, &dNdYatTs_, &dNdTs_, &dNdX_, &N0_, &N_, &Xs_
+        }
+    )
     {
         f->setSize(n*size());
         *f = 0;
     }
     total_ = 0;
     Ts_ = 0;
-    change_ = GREAT;
+    change_ = 1;
+    lastChange_ = 1;
     area_ = cellArea();
     if (adjacent_.valid())
     {
@@ -167,7 +175,6 @@ void Foam::dew::interfaceTransfer::assemble(const speciesFields& Y)
                 const scalar Yi = Y[i][face.gas];
                 N_[ki] += dNdY_[ki]*Yi;
                 Ts += dTsdY_[ki]*(Yi - Y0_[ki]);
-                moved += mag(dNdY_[ki]*(Yi - Y0_[ki]))*face.S;
             }
             total_[k] += N_[ki];
             tangent += N0_[ki] + dNdY_[ki]*Y0_[ki];
@@ -179,10 +186,7 @@ void Foam::dew::interfaceTransfer::assemble(const speciesFields& Y)
             const scalar highest = max(Ts_[k], 0.9999*law_->TsMax());
             Ts_[k] = max(min(Ts, highest), 0.5*Ts_[k]);
         }
-        else
-        {
-            moved += mag(total_[k] - before)*face.S;
-        }
+        moved += mag(total_[k] - before)*face.S;
         most += mag(tangent)*face.S;
     }
     forAll(rates_, i)
@@ -193,6 +197,69 @@ void Foam::dew::interfaceTransfer::assemble(const speciesFields& Y)
     reduce(most, sumOp<scalar>());
     reduce(moved, sumOp<scalar>());
     change_ = max(change_, most > 0 ? moved/most : 0);
+}
+
+
+Foam::scalar Foam::dew::interfaceTransfer::error() const
+{
+    // Two changes make a ratio
+    return
+        lastChange_ < 1 && change_ < lastChange_
+      ? change_*change_/(lastChange_ - change_)
+      : change_;
+}
+
+
+void Foam::dew::interfaceTransfer::giveWay
+(
+    const label i,
+    const scalarField& diagonal
+)
+{
+    const auto& faces = faces_.faces();
+    const auto rest = [&](const label celli)
+    {
+        return (diagonal[celli] - vapourSp_[i][celli])*mesh_.V()[celli];
+    };
+    scalarField byTs(mesh_.nCells(), Zero), byY(mesh_.nCells(), Zero);
+    forAll(faces, k)
+    {
+        byTs[faces[k].gas] += dNdTs_[k*size() + i]*faces[k].S;
+        byY[faces[k].gas] -= dNdYatTs_[k*size() + i]*faces[k].S;
+    }
+
+    // How far Ts goes with the liquid, if the vapour gives way to this face
+    scalarField follows(faces.size());
+    scalarField sum(mesh_.nCells(), Zero);
+    forAll(faces, k)
+    {
+        const interfaceFace& face = faces[k];
+        const label ki = k*size() + i;
+        const scalar all = rest(face.gas) + byY[face.gas];
+        scalar slope = 0;
+        if (dNdTs_[ki] != 0)
+        {
+            slope =
+                dNdTs_[ki]*face.S*(1 + dNdYatTs_[ki]*face.S/all)
+               *liquid_.liquids().liquid(i).hv(p0_, Ts_[k]);
+        }
+        follows[k] =
+            (KL_[k] + VSMALL)/(KL_[k] + KG_[k] + slope + VSMALL);
+        sum[face.gas] += follows[k]*dNdTs_[ki]*face.S;
+    }
+
+    // The faces of a cell share its vapour, and Ts of all move together
+    forAll(faces, k)
+    {
+        const interfaceFace& face = faces[k];
+        const label ki = k*size() + i;
+        const scalar own = dNdTs_[ki]*face.S;
+        const scalar others =
+            min(sum[face.gas]/follows[k], byTs[face.gas]) - own;
+        dNdTs_[ki] +=
+            dNdYatTs_[ki]*(own + max(others, scalar(0)))
+           /(rest(face.gas) + byY[face.gas]);
+    }
 }
 
 

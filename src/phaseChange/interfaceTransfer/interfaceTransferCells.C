@@ -16,6 +16,7 @@
 void Foam::dew::interfaceTransfer::heat
 (
     const volScalarField& T,
+    const bool last,
     volScalarField::Internal& Su,
     volScalarField::Internal& Sp,
     surfaceScalarField& kappaf
@@ -37,7 +38,7 @@ void Foam::dew::interfaceTransfer::heat
             SubList<scalar>(N_, n, k*n), SubList<scalar>(dNdTs_, n, k*n),
             Ts_[k], heatOf, slope
         );
-        slope *= face.S;
+        slope *= last ? 0 : face.S;
         const scalar sum = KG_[k] + KL_[k] + slope;
         const scalar latentHeat = heatOf*face.S - slope*Ts_[k];
 

@@ -50,9 +50,11 @@ void Foam::dew::interfaceTransfer::keep(const label k, const bool heat)
         dNdTs_[ki] = flux_.dNdTs[i];
         dTsdY_[ki] = 0;
         scalar dNdY = flux_.dNdY[i];
-        if (heat && (dNdY != 0 || flux_.dNdTs[i] != 0))
+        dNdYatTs_[ki] = dNdY;
+        if (heat && size() == 1 && (dNdY != 0 || flux_.dNdTs[i] != 0))
         {
-            // More vapour, less evaporates, the surface gets warmer
+            // More vapour, less evaporates, the surface gets warmer. Of
+            // several one may take the place of another, at one Ts
             const scalar hvS =
                 liquid_.liquids().liquid(i).hv(p0_, Ts_[k])*face.S;
             const scalar sum = K + hvS*flux_.dNdTs[i];
@@ -161,6 +163,7 @@ void Foam::dew::interfaceTransfer::linearise
         vapourSu_[i].field() = 0;
         vapourSp_[i].field() = 0;
     }
+    lastChange_ = change_;
     change_ = 0;
     const label n = size();
     List<scalarField> YG(adjacent_.valid() ? n : 0);

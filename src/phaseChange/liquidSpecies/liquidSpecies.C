@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "liquidSpecies.H"
+#include "fvcDiv.H"
 #include "interfaceTransfer.H"
 #include "liquidPhase.H"
 #include "phaseRegion.H"
@@ -34,9 +35,19 @@ Foam::dew::liquidSpecies::liquidSpecies
     content_(liquid.size()),
     after_(mesh_.nCells(), Zero),
     before_(after_),
+    all_
+    (
+        IOobject
+        (
+            "liquidHeld", mesh_.time().timeName(), mesh_,
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE
+        ),
+        mesh_,
+        dimensionedScalar("none", dimDensity, -1)
+    ),
     potential_
     (
-        IOobject("liquidPotential", mesh_.time().timeName(), mesh_),
+        IOobject("chiLiquid", mesh_.time().timeName(), mesh_),
         mesh_,
         dimensionedScalar(dimMass/dimLength/dimTime, Zero),
         zeroGradientFvPatchScalarField::typeName
@@ -123,7 +134,11 @@ Foam::tmp<Foam::scalarField> Foam::dew::liquidSpecies::loss
     slope.setSize(mesh_.nCells());
     slope = 0;
     interface_.faces().toLiquid(slopes, slope);
-    tloss.ref() += walls*before_/gSum(before_);
+    const scalar all = gSum(before_);
+    if (all > 0)
+    {
+        tloss.ref() += walls*before_/all;
+    }
     return tloss;
 }
 
@@ -168,8 +183,13 @@ void Foam::dew::liquidSpecies::solveUniform
 
 void Foam::dew::liquidSpecies::start()
 {
+    if (gMin(all_.primitiveField()) < 0)
+    {
+        all_.primitiveFieldRef() = rhoL_*alpha_.primitiveField();
+    }
     if (!several())
     {
+        move();
         return;
     }
     bool read = true;
@@ -206,12 +226,27 @@ void Foam::dew::liquidSpecies::solve
         solveUniform(mesh_.time().deltaTValue(), last);
         return;
     }
-    solveCells(flux(phiL)(), T, p, last);
+    solveCells(flux(phiL), T, p, last);
 }
 
 
 void Foam::dew::liquidSpecies::store()
 {
+    if (uniform_ && F_.valid())
+    {
+        const scalar dt = mesh_.time().deltaTValue();
+        after_ =
+            before_
+          - dt*fvc::div(F_())().primitiveField()*mesh_.V();
+        scalarField unused;
+        forAll(mass_, i)
+        {
+            after_ -= loss(i, dt, unused);
+        }
+        all_.primitiveFieldRef() = region_.giveBack(after_);
+        all_.writeOpt() = IOobject::AUTO_WRITE;
+    }
+
     const scalarField own(alpha_.primitiveField()*mesh_.V());
     const scalar all = gSum(own);
     forAll(held_, i)
@@ -230,12 +265,17 @@ void Foam::dew::liquidSpecies::store()
 
 void Foam::dew::liquidSpecies::move()
 {
-    if (!several())
+    F_.clear();
+    uniform_ =
+        !several() || liquid_.wellMixed() || gSum(region_.V()) <= 0;
+    if (uniform_)
     {
-        return;
+        before_ = region_.collect(all_.primitiveField());
     }
-    uniform_ = liquid_.wellMixed() || gSum(region_.V()) <= 0;
-    before_ = 0;
+    else
+    {
+        before_ = 0;
+    }
     forAll(held_, i)
     {
         mass_[i] = gSum(scalarField(held_[i].primitiveField()*mesh_.V()));

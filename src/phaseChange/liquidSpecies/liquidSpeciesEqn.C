@@ -22,28 +22,39 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::tmp<Foam::surfaceScalarField> Foam::dew::liquidSpecies::flux
+const Foam::surfaceScalarField& Foam::dew::liquidSpecies::flux
 (
     const surfaceScalarField& phiL
 )
 {
+    if (F_.valid())
+    {
+        return F_();
+    }
     const interfaceFaces& faces = interface_.faces();
-    const surfaceScalarField inside(faces.sameSide() - faces.sameGas());
+    const surfaceScalarField& inside = faces.sameLiquid();
     const dimensionedScalar rho("rho", dimDensity, rhoL_);
-    tmp<surfaceScalarField> tF(rho*inside*phiL);
-    surfaceScalarField& F = tF.ref();
+    F_.reset(new surfaceScalarField("liquidFlux", rho*inside*phiL));
+    surfaceScalarField& F = F_();
 
-    // Mass the cells have too much, over what they stand for
-    const scalar dt = mesh_.time().deltaTValue();
+    // Mass the cells have too much, over what they stand for, beside what goes
+    // through boundaries
     const scalarField& V = region_.V();
-    const scalar scale = gSum(before_)/gSum(V);
+    const scalar all = gSum(V);
+    if (all <= 0)
+    {
+        return F;
+    }
+    const scalar dt = mesh_.time().deltaTValue();
+    const scalarField out(fvc::div(F)().primitiveField()*mesh_.V());
+    const scalar scale = gSum(scalarField(before_ - dt*out))/all;
     volScalarField::Internal excess
     (
         IOobject("excess", mesh_.time().timeName(), mesh_),
         mesh_,
         dimensionedScalar(dimDensity/dimTime, Zero)
     );
-    excess.field() = (before_ - scale*V)/(mesh_.V()*dt);
+    excess.field() = (before_ - dt*out - scale*V)/(mesh_.V()*dt);
 
     volScalarField::Internal screen
     (
@@ -60,11 +71,11 @@ Foam::tmp<Foam::surfaceScalarField> Foam::dew::liquidSpecies::flux
     (
       - fvm::laplacian(inside, potential_) + fvm::Sp(screen, potential_)
      ==
-        excess - fvc::div(F)()()
+        excess
     );
     eqn.solve();
     F += eqn.flux();
-    return tF;
+    return F;
 }
 
 
@@ -77,7 +88,7 @@ void Foam::dew::liquidSpecies::solveCells
 )
 {
     const interfaceFaces& faces = interface_.faces();
-    const surfaceScalarField inside(faces.sameSide() - faces.sameGas());
+    const surfaceScalarField& inside = faces.sameLiquid();
     const scalar dt = mesh_.time().deltaTValue();
     speciesFields& X = liquid_.X();
 

@@ -91,17 +91,26 @@ Foam::scalarField Foam::dew::phaseRegion::onFaces
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::dew::phaseRegion::correct
+Foam::scalarField Foam::dew::phaseRegion::beyondOf
 (
-    const scalarField& share,
-    const scalarField& fluids
-)
+    const scalarField& cells
+) const
+{
+    scalarField perWeight(mesh_.nCells(), Zero);
+    forAll(perWeight, celli)
+    {
+        if (weightOf_[celli] > VSMALL)
+        {
+            perWeight[celli] = cells[celli]/weightOf_[celli];
+        }
+    }
+    return w_*onFaces(perWeight, true);
+}
+
+
+void Foam::dew::phaseRegion::correctWeights()
 {
     const auto& faces = faces_.faces();
-    share_ = share;
-    own_ = share*fluids*mesh_.V();
 
     w_.setSize(faces.size());
     forAll(faces, k)
@@ -127,8 +136,22 @@ void Foam::dew::phaseRegion::correct
             weightOf_[faces[k].gas] += w_[k];
         }
     }
+}
 
-    inwards_.setSize(mesh_.nCells());
+
+void Foam::dew::phaseRegion::correctProfile()
+{
+    const auto& faces = faces_.faces();
+    beyond_ = beyondOf(own_);
+    depth_ = beyondOf(share_*mesh_.V());
+    forAll(depth_, k)
+    {
+        const scalar d = side_ == side::gas ? faces[k].dG : faces[k].dL;
+        depth_[k] = min(0.5*depth_[k]/max(d*w_[k], VSMALL), scalar(1));
+    }
+
+    // Away from the surface
+    vectorField inwards(mesh_.nCells());
     for (direction cmpt = 0; cmpt < vector::nComponents; cmpt++)
     {
         scalarField values(faces.size());
@@ -139,58 +162,79 @@ void Foam::dew::phaseRegion::correct
         }
         scalarField sums(mesh_.nCells(), Zero);
         toCells(values, sums);
-        inwards_.replace(cmpt, sums);
+        inwards.replace(cmpt, sums);
     }
+
+    offset_.setSize(mesh_.nCells());
+    offset_ = 0;
+    forAll(offset_, celli)
+    {
+        if (inside(celli) && inwards[celli] != vector::zero)
+        {
+            offset_[celli] = 0.5*max(1 - share_[celli], scalar(0));
+        }
+    }
+
+    further_.clear();
+    scalarField sum(mesh_.nCells(), Zero);
+    const auto see = [&]
+    (
+        const label celli, const label next, const label patch,
+        const vector& S, const scalar same
+    )
+    {
+        const scalar w = same*(S & inwards[celli]);
+        if (w > 0)
+        {
+            further_.append({celli, next, patch, w});
+            sum[celli] += w;
+        }
+    };
+    const surfaceVectorField& Sf = mesh_.Sf();
+    const surfaceScalarField& same = faces_.sameSide();
+    forAll(mesh_.owner(), facei)
+    {
+        const label P = mesh_.owner()[facei];
+        const label N = mesh_.neighbour()[facei];
+        see(P, N, -1, Sf[facei], same[facei]);
+        see(N, P, -1, -Sf[facei], same[facei]);
+    }
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        const label patchi = patch.index();
+        for (label i = 0; i < patch.size() && patch.coupled(); i++)
+        {
+            see
+            (
+                patch.faceCells()[i], i, patchi,
+                Sf.boundaryField()[patchi][i], same.boundaryField()[patchi][i]
+            );
+        }
+    }
+    for (further& f : further_)
+    {
+        f.weight /= sum[f.cell];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::phaseRegion::correct
+(
+    const scalarField& share,
+    const scalarField& fluids
+)
+{
+    share_ = share;
+    own_ = share*fluids*mesh_.V();
+
+    correctWeights();
+    correctProfile();
 
     V_.setSize(mesh_.nCells());
     V_ = 0;
     V_ = collect(own_/mesh_.V());
-}
-
-
-Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::beyond
-(
-    const scalarField& cells
-) const
-{
-    scalarField perWeight(mesh_.nCells(), Zero);
-    forAll(perWeight, celli)
-    {
-        if (weightOf_[celli] > VSMALL)
-        {
-            perWeight[celli] = cells[celli]/weightOf_[celli];
-        }
-    }
-    return w_*onFaces(perWeight, true);
-}
-
-
-Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::depth() const
-{
-    tmp<scalarField> tdepth(beyond(share_*mesh_.V()));
-    scalarField& depth = tdepth.ref();
-    forAll(depth, k)
-    {
-        const interfaceFace& face = faces_.faces()[k];
-        const scalar d = side_ == side::gas ? face.dG : face.dL;
-        depth[k] = min(0.5*depth[k]/max(d*w_[k], VSMALL), scalar(1));
-    }
-    return tdepth;
-}
-
-
-Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::offset() const
-{
-    auto toffset = tmp<scalarField>::New(mesh_.nCells(), Zero);
-    scalarField& offset = toffset.ref();
-    forAll(offset, celli)
-    {
-        if (inside(celli) && magSqr(inwards_[celli]) > 0)
-        {
-            offset[celli] = 0.5*max(1 - share_[celli], scalar(0));
-        }
-    }
-    return toffset;
 }
 
 
@@ -199,52 +243,28 @@ Foam::tmp<Foam::scalarField> Foam::dew::phaseRegion::furtherIn
     const volScalarField& f
 ) const
 {
-    scalarField sum(mesh_.nCells(), Zero), weight(mesh_.nCells(), Zero);
-    const auto see = [&]
-    (
-        const label celli, const vector& S, const scalar there, const scalar same
-    )
+    List<scalarField> across(mesh_.boundary().size());
+    forAll(across, patchi)
     {
-        const scalar w = same*max(S & inwards_[celli], scalar(0));
-        sum[celli] += w*there;
-        weight[celli] += w;
-    };
-
-    const surfaceVectorField& Sf = mesh_.Sf();
-    const surfaceScalarField& same = faces_.sameSide();
-    forAll(mesh_.owner(), facei)
-    {
-        const label P = mesh_.owner()[facei];
-        const label N = mesh_.neighbour()[facei];
-        see(P, Sf[facei], f[N], same[facei]);
-        see(N, -Sf[facei], f[P], same[facei]);
-    }
-    for (const fvPatchScalarField& fb : f.boundaryField())
-    {
-        if (fb.coupled())
+        if (mesh_.boundary()[patchi].coupled())
         {
-            const fvPatch& patch = fb.patch();
-            const scalarField there(fb.patchNeighbourField());
-            forAll(patch, facei)
-            {
-                see
-                (
-                    patch.faceCells()[facei],
-                    Sf.boundaryField()[patch.index()][facei],
-                    there[facei],
-                    same.boundaryField()[patch.index()][facei]
-                );
-            }
+            across[patchi] = f.boundaryField()[patchi].patchNeighbourField();
         }
     }
 
     auto tvalues = tmp<scalarField>::New(f.primitiveField());
-    forAll(weight, celli)
+    scalarField& values = tvalues.ref();
+    for (const further& cell : further_)
     {
-        if (weight[celli] > VSMALL)
-        {
-            tvalues.ref()[celli] = sum[celli]/weight[celli];
-        }
+        values[cell.cell] = 0;
+    }
+    for (const further& cell : further_)
+    {
+        values[cell.cell] +=
+            cell.weight
+           *(
+                cell.patch < 0 ? f[cell.next] : across[cell.patch][cell.next]
+            );
     }
     return tvalues;
 }

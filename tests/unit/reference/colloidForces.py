@@ -122,13 +122,13 @@ def main():
         for full in (0, 1):
             add(6, wall, ["1.2e-20", s, R, full], ["1e-10", "2.8e-10", "1e-9", "1e-7", "1e-5", "1e-3"])
 
-    mp.mp.dps = 40
+    mp.mp.dps = 50
     for x in ("1e-3", "0.05", "0.5", "0.79", "0.81", "0.99", "0.99999", "1.5"):
         p = [M(float(v)) for v in ("4.1e-21", "3e-9", "1e-8", "2.5e-7")]
         h = M(float(M(x) * 2 * p[2]))
         out.append([7, *p, h, *(steric(h, *p) if h < 2 * p[2] else (0, 0))])
 
-    mp.mp.dps = 30
+    # With 30 digits mp.quad stops early: 4e-11 of U
     for s in ("1e-10", "2e-9", "2e-8"):
         for x in ("-1e-9", "1e-9", "5e-9", "1e-7"):
             p = [M(float(v)) for v in (s, "1.65e-10", "1e-20", "5e-7")]
