@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "registerStyles.h"
+#include "fixColloidPairs.h"
 #include "fixConduction.h"
 #include "fixGravity.h"
 #include "fixIntegrate.h"
@@ -53,5 +54,6 @@ void Foam::dew::registerStyles(LAMMPS* lmp)
     fixes["dew/gravity"] = &makeFix<fixGravity>;
     fixes["dew/wallContacts"] = &makeFix<fixWallContacts>;
     fixes["dew/lubrication"] = &makeFix<fixLubrication>;
+    fixes["dew/colloidPairs"] = &makeFix<fixColloidPairs>;
     fixes["dew/conduction"] = &makeFix<fixConduction>;
 }

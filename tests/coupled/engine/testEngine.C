@@ -53,10 +53,20 @@ Description
 
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+std::string digits(const scalar x)
+{
+    std::ostringstream os;
+    os.precision(17);
+    os << x;
+    return os.str();
+}
+
 
 void write(const Time& time, const dew::particleState& s)
 {
@@ -248,6 +258,8 @@ int main(int argc, char *argv[])
             << l.particles << " sub-steps " << l.subSteps
             << " impulse " << l.impulse << " heat " << l.heat
             << " walls " << l.wallHeat
+            << " energies " << digits(l.kineticEnergy).c_str() << ' '
+            << digits(l.colloidEnergy).c_str()
             << " departed " << l.departed << ' ' << l.departedMass << ' '
             << l.departedVolume << ' ' << l.departedImpulse << ' '
             << l.departedHeat << endl;

@@ -29,7 +29,7 @@ def fresh(path, name):
     return path
 
 
-@pytest.mark.parametrize('name', ['demFoam/collisions', 'demFoam/brownianDiffusion',
+@pytest.mark.parametrize('name', ['demFoam/collisions', 'demFoam/brownianDiffusion', 'demFoam/dlvoPair',
                                   pytest.param('demFoam/packing', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/Goldschmidt', marks=pytest.mark.slow),

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "liggghtsEmbedded.h"
+#include "fixColloidPairs.h"
 #include "fixGravity.h"
 #include "registerStyles.h"
 
@@ -80,6 +81,7 @@ Foam::dew::liggghtsEmbedded::liggghtsEmbedded(const liggghtsOptions& options)
     lmp_(nullptr),
     viscosity_(0),
     integrate_(nullptr),
+    colloids_(nullptr),
     binSize_(0),
     forcesValid_(false)
 {
@@ -367,6 +369,30 @@ void Foam::dew::liggghtsEmbedded::gravity
             }
         }
     );
+}
+
+
+void Foam::dew::liggghtsEmbedded::colloids(const pairInteraction& laws)
+{
+    colloids_ = dynamic_cast<fixColloidPairs*>
+    (
+        lmp_->modify->find_fix_style("dew/colloidPairs", 0)
+    );
+
+    if (!colloids_)
+    {
+        throw std::runtime_error
+        (
+            "no colloids: the commands lack 'fix <id> all dew/colloidPairs'"
+        );
+    }
+    colloids_->interaction(laws, units_.length, units_.force());
+}
+
+
+double Foam::dew::liggghtsEmbedded::colloidEnergy() const
+{
+    return colloids_ ? colloids_->energy() : 0;
 }
 
 

@@ -36,6 +36,8 @@ namespace Foam
 namespace dew
 {
 
+class fixColloidPairs;
+
 //- Floating-point traps belong to the host: inside the engine a NaN must be
 //  reported with its particle, not end in a signal
 class trapsOff
@@ -64,6 +66,7 @@ class liggghtsEmbedded
     engineUnits units_;
     double viscosity_;
     fixIntegrate* integrate_;
+    fixColloidPairs* colloids_;
 
     //- Width of neighbour bins given to the engine, 0: its own [its units]
     double binSize_;
@@ -113,6 +116,8 @@ public:
     ) override;
     double deltaT() const override { return lmp_->update->dt*units_.time; }
     void gravity(std::function<void(double, double*)>) override;
+    void colloids(const pairInteraction&) override;
+    double colloidEnergy() const override;
     long add(const newParticles&) override;
     void overlapping
     (

@@ -594,6 +594,12 @@ void Foam::dew::liggghtsCommands::conduction
 }
 
 
+void Foam::dew::liggghtsCommands::colloids(const scalar reach)
+{
+    add("fix colloids all dew/colloidPairs " + engineText(reach));
+}
+
+
 void Foam::dew::liggghtsCommands::lubrication(const lubricationProperties& l)
 {
     if (l.on())

@@ -252,6 +252,8 @@ void Foam::dew::liggghtsEngine::pull()
                 impulse += vector(p.impulse[0], p.impulse[1], p.impulse[2]);
                 heat += p.heat;
             }
+            ledger_.colloidEnergy =
+                returnReduce(e.colloidEnergy(), sumOp<scalar>());
             ledger_.departed = returnReduce(n, sumOp<label>());
             ledger_.departedMass = returnReduce(mass, sumOp<scalar>());
             ledger_.departedVolume = returnReduce(volume, sumOp<scalar>());

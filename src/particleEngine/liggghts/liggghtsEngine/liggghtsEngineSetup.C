@@ -80,7 +80,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             "materials", "contacts", "walls", "insertion", "timeStep", "skin",
             "processors", "commands", "input", "library", "frameAcceleration",
             "coupling", "output", "dynamics", "conduction", "lubrication",
-            "fluid"
+            "fluid", "colloids"
         }
     );
 
@@ -97,7 +97,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             ({
                 "materials", "contacts", "walls", "insertion", "skin",
                 "processors", "frameAcceleration", "heat", "conduction",
-                "lubrication"
+                "lubrication", "colloids"
             })
         )
         {
@@ -140,6 +140,8 @@ Foam::dew::liggghtsEngine::liggghtsEngine
                 << exit(FatalIOError);
         }
 
+        readColloids();
+
         liggghtsCommands commands
         (
             dict_, materials_(), heat_, state_.overdamped
@@ -159,6 +161,10 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             e.expect(0.5*maxDiameter_, heat_);
             e.dynamics(seed_, viscosity_);
             hinder(e);
+            if (colloids_)
+            {
+                e.colloids(colloids_());
+            }
 
             if (mag(e.deltaT()/deltaT_ - 1) > 1e-9)
             {
@@ -342,6 +348,23 @@ Foam::scalar Foam::dew::liggghtsEngine::smallestRadius() const
 }
 
 
+void Foam::dew::liggghtsEngine::readColloids()
+{
+    if (dict_.found("colloids"))
+    {
+        colloids_.reset
+        (
+            new colloidForces
+            (
+                userEntry::subDict(dict_, "colloids"),
+                materials_(),
+                smallestRadius()
+            )
+        );
+    }
+}
+
+
 void Foam::dew::liggghtsEngine::checkPairLaws() const
 {
     if (dict_.found("conduction") && !heat_)
@@ -407,6 +430,15 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
         wanted = min(wanted, commands.timeStep(i, Rmin, fraction));
     }
 
+    word cause("contacts");
+    if (colloids_)
+    {
+        const scalar limit = colloids_->stableTimeStep(Rmin, viscosity_);
+        cause = limit < stable ? "colloidal forces" : cause;
+        stable = min(stable, limit);
+        wanted = min(wanted, fraction*limit);
+    }
+
     stableDeltaT_ = stable;
 
     const scalar step = mesh_.time().deltaTValue();
@@ -449,7 +481,7 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
     {
         FatalIOErrorInFunction(dict_)
             << "The sub-step " << deltaT_ << " s is above the stability limit "
-            << stable << " s of the contact model (smallest radius "
+            << stable << " s of the " << cause << " (smallest radius "
             << Rmin << " m)" << nl
             << "Lower timeStep.deltaT (or fraction, now " << fraction
             << "; recommended " << usual << ": " << wanted*usual/fraction
@@ -604,6 +636,10 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
         // The lists of flat walls reach as far as half of it, and no further
         skin = max(skin, 2.2*lubrication.maxGap());
     }
+    if (colloids_ && !walls.empty())
+    {
+        skin = max(skin, 2.2*colloids_->cutOff());
+    }
     commands.contact(skin);
 
     const fileName path(mesh_.time().globalPath()/folder);
@@ -623,7 +659,7 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
     }
 
     commands.meshWalls();
-    if (lubrication.on() || heat_)
+    if (lubrication.on() || colloids_ || heat_)
     {
         commands.wallContacts();
     }
@@ -635,6 +671,10 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
         );
         checkConduction(model());
         commands.conduction(293.15, model());
+    }
+    if (colloids_)
+    {
+        commands.colloids(colloids_->reach(smallestRadius()));
     }
     commands.end(deltaT_);
 

@@ -1,0 +1,193 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "colloidForces.H"
+#include "liggghtsTimeStep.H"
+#include "userEntry.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::colloidForces::colloidForces
+(
+    const dictionary& dict,
+    const materials& mats,
+    const scalar R
+)
+:
+    materials_(mats),
+    medium_(dict)
+{
+    const dictionary& forces = userEntry::subDict(dict, "forces");
+    for (const entry& e : forces)
+    {
+        laws_.append
+        (
+            colloidLaw::New(userEntry::dictOf(forces, e), medium_, mats).ptr()
+        );
+    }
+    check(dict, R);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Law>
+Foam::dew::colloidForce Foam::dew::colloidForces::sum
+(
+    const double h,
+    const Law& law
+) const
+{
+    colloidForce total{0, 0};
+    if (h < cutOff())
+    {
+        const double least = medium_.minGap();
+        const double gap = h > least ? h : least;
+        for (const colloidLaw& one : laws_)
+        {
+            total += law(one, gap);
+        }
+        total.U += total.F*(gap - h);
+    }
+    return total;
+}
+
+
+template<class Force>
+Foam::scalar Foam::dew::colloidForces::stiffness(const Force& F) const
+{
+    // Gaps of equal ratio; the slope over each is below 1 % of the largest
+    const int n = 2000;
+    const scalar least = max(medium_.minGap(), 1e-4*cutOff());
+    const scalar ratio = pow(cutOff()*(1 - 1e-9)/least, 1.0/n);
+    scalar most = 0, h = least, before = F(h);
+    for (int i = 0; i < n; i++)
+    {
+        const scalar next = F(h*ratio);
+        most = max(most, mag(next - before)/(h*(ratio - 1)));
+        before = next;
+        h *= ratio;
+    }
+    return most;
+}
+
+
+void Foam::dew::colloidForces::check
+(
+    const dictionary& dict,
+    const scalar R
+) const
+{
+    label nVanDerWaals = 0;
+    for (const colloidLaw& law : laws_)
+    {
+        nVanDerWaals += law.wallVanDerWaals();
+        if (medium_.minGap() <= 0 && law.needsMinGap())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'minGap' in " << dict.dictName() << " is 0, but the"
+                << " force " << law.type() << " has no bound at contact" << nl
+                << "Give the least gap, 2e-10 to 1e-9 m is usual"
+                << exit(FatalIOError);
+        }
+    }
+
+    if (nVanDerWaals > 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The van der Waals force of walls is in " << nVanDerWaals
+            << " laws of forces in " << dict.dictName() << nl
+            << "Keep one: set 'vanDerWaals off;' in that of type"
+            << " LennardJonesWall"
+            << exit(FatalIOError);
+    }
+
+    if (medium_.kappa()*cutOff() < 1 && medium_.kappa() > 0)
+    {
+        scalar most = 0;
+        for (label i = 0; i < materials_.size(); i++)
+        {
+            most = max(most, mag(pair(i, i, R, R, cutOff()*(1 - 1e-9)).U));
+        }
+        FatalIOErrorInFunction(dict)
+            << "The Debye length " << 1/medium_.kappa() << " m is beyond"
+            << " 'cutOff' " << cutOff() << " m in " << dict.dictName()
+            << ", where a pair of the smallest particles still has "
+            << most/medium_.kT() << " kT" << nl
+            << "Raise cutOff to some 5 Debye lengths, "
+            << 5/medium_.kappa() << " m"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::dew::colloidForce Foam::dew::colloidForces::pair
+(
+    int i, int j, double Ri, double Rj, double h
+) const
+{
+    return sum
+    (
+        h,
+        [&](const colloidLaw& law, const double gap)
+        {
+            return law.pair(i, j, Ri, Rj, gap);
+        }
+    );
+}
+
+
+Foam::dew::colloidForce Foam::dew::colloidForces::wall
+(
+    int i, int wall, double R, double h
+) const
+{
+    return sum
+    (
+        h,
+        [&](const colloidLaw& law, const double gap)
+        {
+            return law.wall(i, wall, R, gap);
+        }
+    );
+}
+
+
+Foam::scalar Foam::dew::colloidForces::stableTimeStep
+(
+    const scalar R,
+    const scalar mu
+) const
+{
+    scalar least = GREAT;
+    const auto limit = [&](const scalar m, const scalar k)
+    {
+        if (k > 0)
+        {
+            least = min(least, mu > 0 ? overdampedTime(R, mu, k) : 2*sqrt(m/k));
+        }
+    };
+
+    for (label i = 0; i < materials_.size(); i++)
+    {
+        const scalar m =
+            4.0/3.0*constant::mathematical::pi*pow3(R)*materials_.density(i);
+
+        for (label j = 0; j < materials_.size(); j++)
+        {
+            const auto two = [&](const scalar h)
+            {
+                return pair(i, j, R, R, h).F;
+            };
+            const auto one = [&](const scalar h) { return wall(i, j, R, h).F; };
+            limit(0.5*m, stiffness(two));
+            limit(m, stiffness(one));
+        }
+    }
+    return least;
+}

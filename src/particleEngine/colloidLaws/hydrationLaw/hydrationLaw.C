@@ -1,0 +1,73 @@
+/*---------------------------------------------------------------------------*\
+  DEW: Droplets, Evaporation and Wet grains
+  Copyright (C) 2026 The DEW authors
+  License: GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "hydrationLaw.H"
+#include "addToRunTimeSelectionTable.H"
+#include "userEntry.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dew
+{
+namespace colloidLaws
+{
+    defineTypeName(hydrationLaw);
+    addToRunTimeSelectionTable(colloidLaw, hydrationLaw, dictionary);
+}
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dew::colloidLaws::hydrationLaw::hydrationLaw
+(
+    const dictionary& dict,
+    const colloidMedium& medium,
+    const materials& mats
+)
+:
+    colloidLaw(dict, medium, mats),
+    laws_
+    (
+        perPair<hydrationForce>
+        (
+            dict,
+            mats,
+            [&](const dictionary& d)
+            {
+                onlyThese(d, {"energy", "length"});
+                return hydrationForce
+                {
+                    userEntry::number(d, "energy", dimEnergy/dimArea),
+                    userEntry::positive(d, "length", dimLength)
+                };
+            }
+        )
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::dew::colloidForce Foam::dew::colloidLaws::hydrationLaw::pair
+(
+    int i, int j, double Ri, double Rj, double h
+) const
+{
+    return laws_[at(i, j)](h, DerjaguinRadius(Ri, Rj));
+}
+
+
+Foam::dew::colloidForce Foam::dew::colloidLaws::hydrationLaw::wall
+(
+    int i, int wall, double R, double h
+) const
+{
+    return laws_[at(i, wall)](h, R);
+}

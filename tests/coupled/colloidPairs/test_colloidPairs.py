@@ -1,0 +1,340 @@
+"""Forces of colloids in the engine against an independent calculation: the velocity that one very short sub-step gives to
+particles at rest, F dt/m. Formulas are written out below (Hamaker 1937, Hogg et al. 1966, Gregory 1975), differentiated with
+mpmath where the force itself is lengthy."""
+import re
+
+import mpmath
+import numpy as np
+import pytest
+
+from dewCase import Case, changed, foam_dict, quoted
+
+K, E, NA, EPS0 = 1.380649e-23, 1.602176634e-19, 6.02214076e23, 8.8541878128e-12
+T, EPSR, RHO, A, PSI = 298.15, 78.5, 2650.0, 1e-20, 25e-3
+EPS = EPSR * EPS0
+KAPPA = float(np.sqrt(2 * E**2 * NA * 1.0 / (EPS * K * T)))
+MIN_GAP, CUT_OFF = 2e-10, 60e-9
+DT = 1e-14
+HAMAKER = {'type': 'Hamaker', 'hamaker': A}
+CHARGED = {'type': 'constantPotential', 'zeta': PSI}
+SOFT = {'youngsModulus': 1e6, 'poissonsRatio': 0.3, 'density': RHO}
+STL = ('solid floor\n' + ''.join(
+    'facet normal 0 0 1\n outer loop\n' + ''.join(f'  vertex {x} {y} {{z}}\n' for x, y in corners)
+    + ' endloop\nendfacet\n' for corners in (((-9e-4, -9e-4), (9e-4, -9e-4), (9e-4, 9e-4)),
+                                              ((-9e-4, -9e-4), (9e-4, 9e-4), (-9e-4, 9e-4))))
+       + 'endsolid floor\n')
+
+
+# --- The formulas
+
+def hamaker_U(h, a, b=None):
+    """Two spheres, or a sphere and a plate, Hamaker's expression at 60 digits."""
+    h, a = mpmath.mpf(h), mpmath.mpf(a)
+    if b is None:
+        return -A / mpmath.mpf(6) * (a / h + a / (h + 2*a) + mpmath.log(h / (h + 2*a)))
+    b = mpmath.mpf(b)
+    r = h + a + b
+    p, q = r**2 - (a + b)**2, r**2 - (a - b)**2
+    return -A / mpmath.mpf(6) * (2*a*b/p + 2*a*b/q + mpmath.log(p / q))
+
+
+def force(U, h, *radii):
+    with mpmath.workdps(60):
+        return -float(mpmath.diff(lambda x: U(x, *radii), mpmath.mpf(h)))
+
+
+def derjaguin(a, b=None):
+    return a if b is None else a * b / (a + b)
+
+
+def constant_potential(h, a, b=None, psi1=PSI, psi2=PSI, sign=1):
+    x = np.exp(-KAPPA * h)
+    return (2 * np.pi * EPS * derjaguin(a, b) * KAPPA * x * (2 * psi1 * psi2 - sign * (psi1**2 + psi2**2) * x)
+            / (1 - x**2))
+
+
+def superposition(h, a, b=None):
+    phi = K * T / E
+    return 64 * np.pi * EPS * derjaguin(a, b) * KAPPA * phi**2 * np.tanh(PSI / (4 * phi))**2 * np.exp(-KAPPA * h)
+
+
+def total(h, a, b=None):
+    return force(hamaker_U, h, *([a] if b is None else [a, b])) + constant_potential(h, a, b)
+
+
+# --- Cases
+
+def case_of(path, forces, x, d, dt=DT, n_sub=1, n_out=1, code=0, ranks=1, walls=None, files=None, changes=None,
+            v=None, width=None, cyclic='', run=True, **more):
+    x, d = np.atleast_2d(x), np.broadcast_to(d, np.atleast_2d(x).shape[0])
+    width = width or 40 * max(d)
+    case = Case(path, lower=(-width / 2,) * 3, upper=(width / 2,) * 3, cells=(2, 2, 2), gravity=(0, 0, 0),
+                deltaT=dt * n_sub, endTime=dt * n_sub * n_out, writeInterval=1000000, timePrecision=15, cyclic=cyclic,
+                **more)
+    case.properties = {
+        'engine': 'liggghts', 'materials': {'silica': SOFT},
+        'contacts': {'tangential': 'none', 'default': {'restitution': 1}},
+        'insertion': {'some': {'type': 'file', 'file': quoted('constant/particles.csv'), 'material': 'silica'}},
+        'timeStep': {'deltaT': dt}, 'overlapTolerance': 0.2, 'output': ('csv',),
+        'colloids': {'temperature': T, 'permittivity': EPSR, 'ionicStrength': 1, 'minGap': MIN_GAP, 'cutOff': CUT_OFF,
+                     'forces': forces}, **({'walls': walls} if walls else {})}
+    case.properties = changed(case.properties, changes or {})
+    columns = {'x': x[:, 0], 'y': x[:, 1], 'z': x[:, 2], 'd': d}
+    if v is not None:
+        columns.update({'v' + 'xyz'[k]: np.atleast_2d(v)[:, k] for k in range(3)})
+    case.particles(columns)
+    for name, text in (files or {}).items():
+        case.write_file(name, text)
+    case.mesh()
+    case.write_file('constant/testProperties', '')
+    if not run:
+        return case
+    if ranks > 1:
+        case.decompose(ranks)
+    done = case.run('testEngine', ranks=ranks, timeout=200)
+    assert (done.code == 0) == (code == 0), done.output
+    return case, done.output
+
+
+def rows_of(case, k=-1):
+    rows = np.genfromtxt(case.path / case.times()[k] / 'engine.csv', delimiter=',', names=True)
+    return np.sort(np.atleast_1d(rows), order='id')
+
+
+def vectors(rows, names):
+    return np.stack([rows[n] for n in names.split()], axis=1)
+
+
+def forces_on(case, dt=DT):
+    rows = rows_of(case)
+    return vectors(rows, 'vx vy vz') * (RHO * np.pi / 6 * rows['d']**3 / dt)[:, None]
+
+
+def two(h, d, axis=(2/7, 3/7, 6/7)):
+    """Places of two spheres, and the gap that these round-off to."""
+    n = np.array(axis)
+    x = np.array([-n * (d[0] + h) / 2, n * (d[1] + h) / 2])
+    return x, np.linalg.norm(x[1] - x[0]) - sum(d) / 2
+
+
+# --- Pairs
+
+LAWS = {
+    'Hamaker': (HAMAKER, lambda h, a, b: force(hamaker_U, h, a, b)),
+    'constantPotential': (CHARGED, constant_potential),
+    'constantCharge': ({**CHARGED, 'type': 'constantCharge'},
+                       lambda h, a, b: constant_potential(h, a, b, sign=-1)),
+    'linearSuperposition': ({**CHARGED, 'type': 'linearSuperposition'}, superposition),
+    'Yukawa': ({**CHARGED, 'type': 'Yukawa'}, superposition),
+    'Born': ({'type': 'Born', 'hamaker': A, 'sigma': 4e-10},
+             lambda h, a, b: A * (4e-10)**6 * derjaguin(a, b) / (180 * h**8)),
+    'hydration': ({'type': 'hydration', 'energy': 5e-3, 'length': 6e-10},
+                  lambda h, a, b: 2 * np.pi * derjaguin(a, b) * 5e-3 * np.exp(-h / 6e-10)),
+    'steric': ({'type': 'steric', 'spacing': 4e-9, 'thickness': 8e-9},
+               lambda h, a, b: 2 * np.pi * derjaguin(a, b) * float(mpmath.quad(
+                   lambda g: K * T / (4e-9)**3 * ((1.6e-8 / g)**2.25 - (g / 1.6e-8)**0.75), [h, 1.6e-8]))
+               if h < 1.6e-8 else 0.0)}
+
+
+@pytest.mark.parametrize('d', [(5e-8, 5e-8), (1e-6, 1e-6), (1e-5, 1e-5), (2e-7, 1e-6)])
+@pytest.mark.parametrize('law', LAWS)
+def test_force_of_a_law(tmp_path, law, d):
+    """F dt/m to 1e-6, and the sum of both to round-off (1e-12); gaps from 0.3 to 30 nm, together with another pair."""
+    entries, expected = LAWS[law]
+    gaps = [3e-10, 1e-9, 5e-9, 3e-8]
+    pairs = [two(h, d) for h in gaps]
+    places = [x + np.array([0, 4 * max(d) * (k - 1.5), 0]) for k, (x, _) in enumerate(pairs)]
+    case, _ = case_of(tmp_path, {'one': entries}, np.vstack(places), d * len(gaps))
+    rows, F = rows_of(case), forces_on(case)
+    for k, x in enumerate(places):
+        r = x[1] - x[0]
+        h = np.linalg.norm(r) - sum(d) / 2
+        F_expected = expected(h, d[0] / 2, d[1] / 2)
+        if abs(F_expected) < 1e-25:
+            assert np.abs(F[2*k:2*k + 2]).max() < 1e-25
+            continue
+        assert abs(F[2*k + 1] @ r / np.linalg.norm(r) / F_expected - 1) < 1e-6
+        assert np.abs(F[2*k] + F[2*k + 1]).max() < 1e-12 * abs(F_expected)
+    assert len(rows) == 2 * len(gaps)
+
+
+@pytest.mark.parametrize('forces, h, expected', [
+    ('Hamaker', 1e-9, 4.167e-10), ('Hamaker', 5e-9, 1.667e-11), ('Hamaker', 1e-8, 4.17e-12),
+    ('constantPotential', 1e-9, 6.72e-11), ('constantPotential', 1e-8, 3.71e-11),
+    ('linearSuperposition', 1e-9, 1.230e-10), ('linearSuperposition', 1e-8, 4.825e-11)])
+def test_published_size(tmp_path, forces, h, expected):
+    """Radius 0.5 um, 1 mM, 25 mV: Derjaguin's A R/(12 h^2), and double layers, to the three digits and to h/R."""
+    x, _ = two(h, (1e-6, 1e-6))
+    case, _ = case_of(tmp_path, {'one': LAWS[forces][0]}, x, 1e-6)
+    F = np.linalg.norm(forces_on(case)[0])
+    assert abs(F / expected - 1) < (4.2 * h / 1e-6 + 1e-3 if forces == 'Hamaker' else 1.4e-3)
+
+
+def test_three_of_unequal_size(tmp_path):
+    """Sums over pairs, and their total is zero to round-off."""
+    d = np.array([1e-6, 4e-7, 7e-7])
+    x = np.array([[0, 0, 0], [7.02e-7, 0, 0], [0, 8.7e-7, 0]])
+    x[2, 0] = 0.1e-6
+    case, output = case_of(tmp_path, {'v': HAMAKER, 'e': CHARGED}, x, d)
+    F, expected, energy = forces_on(case), np.zeros((3, 3)), 0.0
+    for i in range(3):
+        for j in range(3):
+            r = x[i] - x[j]
+            h = np.linalg.norm(r) - (d[i] + d[j]) / 2
+            if i != j and h < CUT_OFF:
+                expected[i] += total(h, d[i] / 2, d[j] / 2) * r / np.linalg.norm(r)
+    assert np.count_nonzero(np.abs(expected).sum(axis=1)) == 3
+    assert np.abs(F - expected).max() < 1e-6 * np.abs(expected).max()
+    assert np.abs(F.sum(axis=0)).max() < 1e-12 * np.abs(F).max()
+
+
+@pytest.mark.parametrize('ranks, cyclic', [(2, ''), (1, 'x'), (2, 'x')])
+def test_pair_across_a_boundary(tmp_path, ranks, cyclic):
+    """Between ranks and across a cyclic side as within one: 1e-9 for round-off of positions over the gap."""
+    x, _ = two(1e-9, (1e-6, 1e-6), (1, 0, 0))
+    if cyclic:
+        x += np.array([2e-5, 0, 0])
+        x[1, 0] -= 4e-5
+    case, output = case_of(tmp_path, {'v': HAMAKER, 'e': CHARGED}, x, 1e-6, ranks=ranks, cyclic=cyclic)
+    F, expected = forces_on(case), total(1e-9, 5e-7, 5e-7)
+    assert np.abs(F[:, 0] / expected - [-1, 1]).max() < 1e-6
+    assert np.abs(F.sum(axis=0)).max() < 1e-9 * abs(expected)
+    energy = float(re.search(r'energies \S+ (\S+)', output).group(1))
+    phi = KAPPA * 1e-9
+    U = (float(hamaker_U(1e-9, 5e-7, 5e-7)) + 2 * np.pi * EPS * 2.5e-7 * PSI**2 * 2 * np.log1p(np.exp(-phi)) / 1)
+    assert abs(energy / U - 1) < 1e-6
+
+
+def test_held_below_the_least_gap(tmp_path):
+    """F(minGap) below it, nothing beyond the cut-off."""
+    for name, h, at in (('below', 1e-10, MIN_GAP), ('beyond', 6.001e-8, None)):
+        x, _ = two(h, (1e-6, 1e-6))
+        case, _ = case_of(tmp_path / name, {'v': HAMAKER}, x, 1e-6)
+        F = np.linalg.norm(forces_on(case)[0])
+        assert F == 0 if at is None else abs(F / -force(hamaker_U, at, 5e-7, 5e-7) - 1) < 1e-6
+
+
+@pytest.mark.parametrize('wall', [{'type': 'plane', 'point': (0, 0, -2**-20), 'normal': (0, 0, 1)},
+                                  {'type': 'STL', 'file': quoted('constant/floor.stl')}], ids=['plane', 'STL'])
+@pytest.mark.parametrize('d', [1e-7, 1e-6])
+def test_wall(tmp_path, wall, d):
+    """A sphere at a plate, on planes and triangles, 1e-6. The place is exact in the single precision of STL files."""
+    gaps = [1e-9, 5e-9, 3e-8]
+    x = np.array([[4 * d * (k - 1), 0.3 * d * k, d / 2 + h - 2**-20] for k, h in enumerate(gaps)])
+    case, _ = case_of(tmp_path, {'v': HAMAKER, 'e': CHARGED}, x, d, walls={'floor': {**wall, 'material': 'silica'}},
+                      files={'constant/floor.stl': STL.format(z=-2**-20).replace('9e-4', '9e-6')}, width=2e-5)
+    F = forces_on(case)
+    for k, z in enumerate(x[:, 2]):
+        expected = total(z + 2**-20 - d / 2, d / 2)
+        assert abs(F[k, 2] / expected - 1) < 1e-6
+        assert np.abs(F[k, :2]).max() < 1e-9 * abs(expected)
+
+
+def test_materials(tmp_path):
+    """Entries of a pair, and of one material, replace those for all."""
+    x, _ = two(2e-9, (1e-6, 1e-6))
+    case = case_of(tmp_path, {'v': {**HAMAKER, 'silica.other': {'hamaker': 3 * A}},
+                              'e': {**CHARGED, 'other': {'zeta': 10e-3}}}, x, 1e-6, run=False,
+                   changes={'materials/other': SOFT})
+    del case.properties['insertion']['some']['material']
+    case.particles({'x': x[:, 0], 'y': x[:, 1], 'z': x[:, 2], 'd': 1e-6, 'material': ['silica', 'other']})
+    case.write()
+    done = case.run('testEngine')
+    assert done.code == 0, done.output
+    expected = (3 * force(hamaker_U, 2e-9, 5e-7, 5e-7)
+                + constant_potential(2e-9, 5e-7, 5e-7, PSI, 10e-3))
+    F = forces_on(case)[1] @ [2/7, 3/7, 6/7]
+    assert abs(F / expected - 1) < 1e-6
+
+
+def test_bound_pair_keeps_its_energy(tmp_path):
+    """Vibration in the primary minimum of Born and van der Waals forces (1e5 sub-steps of a sixtieth of a period): the
+    energy stays within 1e-4 of the depth of the well, kinetic energy and the engine's own sum."""
+    s, R = 4e-10, 5e-7
+    h0 = 30**(-1/6) * s
+    x, _ = two(1.05 * h0, (1e-6, 1e-6))
+    depth = A * R / 2 / h0 * (1/6 - 1/1260 * 30)
+    k = A * R / 2 * (56 * s**6 / (1260 * h0**9) - 2 / (6 * h0**3))
+    dt = 0.1 * np.sqrt(RHO * 4 / 3 * np.pi * R**3 / 2 / k)
+    dt = float(f'{dt:.3g}')
+    _, output = case_of(tmp_path, {'v': HAMAKER, 'b': LAWS['Born'][0]}, x, 1e-6, dt=dt, n_sub=2000, n_out=50,
+                        changes={'colloids/minGap': 2.1e-10})
+    found = np.array([[float(e) for e in m] for m in re.findall(r'energies (\S+) (\S+)', output)])
+    assert len(found) == 50 and found[:, 0].max() > 1e-4 * depth
+    assert abs(-found[:, 1].min() / depth - 1) < 0.01
+    total_energy = found.sum(axis=1)
+    assert np.abs(total_energy - total_energy[0]).max() < 1e-4 * depth
+
+
+def test_restart_goes_on_exactly(tmp_path):
+    """Half of the way in one run and half after a restart: the same numbers, bit by bit."""
+    x, _ = two(3e-9, (1e-6, 8e-7))
+    laws = {'v': HAMAKER, 'e': CHARGED, 'b': LAWS['Born'][0]}
+    dt = 1e-9
+    whole, _ = case_of(tmp_path / 'whole', laws, x, (1e-6, 8e-7), dt=dt, n_sub=20, n_out=10,
+                       changes={'colloids/minGap': 3e-10})
+    half = case_of(tmp_path / 'half', laws, x, (1e-6, 8e-7), dt=dt, n_sub=20, n_out=10,
+                   changes={'colloids/minGap': 3e-10}, run=False)
+    half.control.update(endTime=5 * 20 * dt, writeInterval=5)
+    half.write()
+    assert half.run('testEngine').code == 0
+    half.control.update(endTime=10 * 20 * dt)
+    half.write()
+    done = half.run('testEngine')
+    assert done.code == 0 and 'continued' in done.output, done.output
+    names = 'x y z vx vy vz'
+    assert np.abs(vectors(rows_of(whole), 'vx vy vz')).max() > 0
+    assert np.array_equal(vectors(rows_of(whole), names), vectors(rows_of(half), names))
+
+
+# --- The sub-step
+
+@pytest.mark.parametrize('dynamics', [{}, {'type': 'overdamped', 'viscosity': 1e-3}], ids=['inertial', 'overdamped'])
+def test_limit_of_the_sub_step(tmp_path, dynamics):
+    """2 sqrt(m*/k) or 6 pi mu R/k of the steepest force, van der Waals at the least gap; the slope is sampled: 1 %."""
+    R = 5e-7
+    x, _ = two(1e-8, (1e-6, 1e-6))
+    with mpmath.workdps(60):
+        k = abs(float(mpmath.diff(hamaker_U, (mpmath.mpf(MIN_GAP), R, R), (2, 0, 0))))
+    m = RHO * 4 / 3 * np.pi * R**3 / 2
+    expected = 6 * np.pi * 1e-3 * R / (2 * k) if dynamics else 2 * np.sqrt(m / k)
+    more = {'dynamics/' + key: value for key, value in dynamics.items()}
+    case = case_of(tmp_path, {'v': HAMAKER}, x, 1e-6, run=False, changes={**more, 'materials/silica/youngsModulus': 1e4})
+    case.write_file('constant/testProperties', foam_dict({'Sp': 6 * np.pi * 1e-3 * R, 'U': (0, 0, 0)}) + '\n')
+    done = case.run('testEngine')
+    assert done.code == 0, done.output
+    found = float(re.search(r'Stable sub-step (\S+)', done.output).group(1))
+    assert abs(found / expected - 1) < 0.01
+    case.control.update(deltaT=2 * expected, endTime=2 * expected)
+    case.properties['timeStep'] = {'deltaT': 2 * expected}
+    case.write()
+    done = case.run('testEngine')
+    assert done.code and 'above the stability limit' in done.output and 'colloidal forces' in done.output, done.output
+
+
+# --- Input
+
+@pytest.mark.parametrize('changes, message', [
+    ({'minGap': 0}, "'minGap' in .* is 0.*Hamaker"),
+    ({'ionicStrength': 1e-3}, "Debye length .* beyond 'cutOff' .* kT"),
+    ({'ionicStrength': None}, 'no ionic strength.*Add ionicStrength'),
+    ({'permittivity': None}, "without 'permittivity'"),
+    ({'debyeLength': 1e-8}, 'exclude each other'),
+    ({'temperature': 0}, 'temperature'),
+    ({'cutOff': 1e-10}, "'minGap' .* not below cutOff"),
+    ({'forces/v/type': 'Lennard'}, 'Unknown colloid law.*Valid.*Hamaker'),
+    ({'forces/v/hamaker': None}, "'hamaker'.*'media'"),
+    ({'forces/v/hamaker': None, 'forces/v/media': '(silica brine silica)'}, "'media'.*brine.*polystyrene"),
+    ({'forces/v/hamakr': 1}, 'hamakr'),
+    ({'forces/v/glass.silica': {'hamaker': 1e-20}}, 'names no material'),
+    ({'forces/e/charge': 0.01}, "'zeta'.*'charge'"),
+    ({'forces/w': {'type': 'LennardJonesWall', 'hamaker': 1e-20, 'sigma': 4e-10}}, 'van der Waals force of walls'),
+    ({'debye': 1e-8}, "debye"),
+])
+def test_bad_input(tmp_path, changes, message):
+    """One message each, with the remedy."""
+    x, _ = two(1e-8, (1e-6, 1e-6))
+    _, output = case_of(tmp_path, {'v': HAMAKER, 'e': CHARGED}, x, 1e-6, code=1,
+                        changes={'colloids/' + key: value for key, value in changes.items()})
+    assert output.count('FOAM FATAL') == 1
+    assert re.search(message, output.replace('\n', ' ')), output
