@@ -61,6 +61,7 @@ Description
 SourceFiles
     fixIntegrate.cpp
     fixIntegrateColloids.cpp
+    fixIntegrateOverdamped.cpp
 \*---------------------------------------------------------------------------*/
 
 #ifndef dew_fixIntegrate_h
@@ -161,6 +162,11 @@ private:
     void checkFinite() const;
 
     // Colloids
+
+        static double dot(const double* a, const double* b)
+        {
+            return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+        }
 
         //- Is there a surface, that pulls this particle? How far out is it,
         //  normal
