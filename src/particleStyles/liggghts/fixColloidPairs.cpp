@@ -9,14 +9,12 @@
 #include "../pairInteraction.H"
 
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "atom.h"
 #include "error.h"
 #include "force.h"
 #include "neigh_list.h"
-#include "neighbor.h"
 #include "pair_gran.h"
 
 using namespace LAMMPS_NS;
@@ -32,11 +30,10 @@ Foam::dew::fixColloidPairs::fixColloidPairs(LAMMPS* lmp, int narg, char** arg)
     walls_(nullptr),
     energy_(0)
 {
-    if (narg != 4)
+    if (narg != 3)
     {
-        error->fix_error(FLERR, this, "takes the reach");
+        error->fix_error(FLERR, this, "takes no arguments");
     }
-    neighbor->register_contact_dist_factor(std::atof(arg[3]));
 }
 
 

@@ -8,14 +8,13 @@ Class
     Foam::dew::fixColloidPairs
 
 Description
-    fix ID all dew/colloidPairs reach
+    fix ID all dew/colloidPairs
 
     Forces along the line of centres that depend on the gap alone
     (pairInteraction.H), between particles and between particles and walls,
     and their energy.
 
-    reach   contact distance that the engine's lists must have, over the sum of
-            radii, for particles and walls
+    The engine's lists must reach as far as the laws do (fixListReach).
 
     A pair across a boundary of ranks is computed on both, each for its own
     particle; its energy counts half on each.

@@ -96,10 +96,7 @@ Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
     // the engine forgets a finished contact only when it rebuilds its lists:
     // a second touch before that would start with the first one's tangential
     // spring, and results would depend on when lists are built
-    neighbor->register_contact_dist_factor
-    (
-        overdamped_ ? wideTouchShell : touchShell
-    );
+    neighbor->register_contact_dist_factor(touchFactor());
 
     grow_arrays(atom->nmax);
     atom->add_callback(0);
@@ -124,6 +121,12 @@ Foam::dew::fixIntegrate::~fixIntegrate()
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+double Foam::dew::fixIntegrate::touchFactor() const
+{
+    return overdamped_ ? wideTouchShell : touchShell;
+}
+
 
 double* Foam::dew::fixIntegrate::temperature() const
 {
@@ -193,9 +196,9 @@ void Foam::dew::fixIntegrate::load(const bool anyTerm, const bool surfaces)
             const double mc = heatCapacity(i);
             d[heatStep] = dt/mc*phi1(dt/mc*d[Qp]);
         }
-        if (colloid_ && overdamped_)
+        if (overdamped_)
         {
-            colloid_[i][noiseX] = diffusionStep(colloid_[i][kT], d[Sp], dt);
+            loadOverdamped(i);
         }
         else if (colloid_)
         {
@@ -417,6 +420,8 @@ void Foam::dew::fixIntegrate::final_integrate()
     }
     else
     {
+        const double none[3] = {0, 0, 0};
+
         if (surfaces_)
         {
             beforeSecond();
@@ -425,6 +430,7 @@ void Foam::dew::fixIntegrate::final_integrate()
         for (int i = 0; i < n; i++)
         {
             double* d = data_[i];
+            const double* more = colloid_ ? colloid_[i] + pending : none;
             const double m = rmass[i];
             const double I = inertia*m*radius[i]*radius[i];
 
@@ -432,7 +438,7 @@ void Foam::dew::fixIntegrate::final_integrate()
             {
                 const double dv =
                     (f[i][k] + d[Su+k] + d[Sp]*(d[U+k] - v[i][k]))*d[halfStep];
-                v[i][k] += dv;
+                v[i][k] += dv + more[k];
                 d[impulse+k] += m*dv - dtf*f[i][k];
 
                 const double dw =
@@ -443,11 +449,6 @@ void Foam::dew::fixIntegrate::final_integrate()
                 omega[i][k] += dw;
                 d[angularImpulse+k] += I*dw - dtf*torque[i][k];
             }
-        }
-
-        if (colloid_)
-        {
-            addPending();
         }
     }
 

@@ -100,7 +100,8 @@ public:
     enum column
     {
         // halfStep, fullStep, halfTurn and heatStep are derived at the start
-        // of a call: dt/m phi(...)
+        // of a call: dt/m phi(...); without inertia the first and third are
+        // the mobilities of translation and rotation
         Su = 0, Sp = 3, U = 4, halfStep = 7,
         fullStep = 8, impulse = 9, Tu = 12, Tp = 15,
         Omega = 16, halfTurn = 19, angularImpulse = 20, heat = 23,
@@ -108,14 +109,15 @@ public:
         Sn = 28, startVelocity = 31, kick = 34, addedMass = 37,
         keptForce = 38, keptTorque = 41, kept = 44,
         nColumns = 48,
-        nKept = 7       // keptForce, keptTorque, kept
+        nKept = 7,      // keptForce, keptTorque, kept
+        mobility = halfStep, turning = halfTurn
     };
 
     //- Columns of colloids, engine units
     enum colloidColumn
     {
         // derived at the start of a call: ornsteinUhlenbeck; without inertia
-        // noiseX alone, diffusionStep
+        // noiseV alone, the speed of diffusionStep
         kT = 0, noiseV = 1, noiseXV = 2, noiseX = 3,
         // within a sub-step: change of v not yet made; normal at the particle
         // (zero without a force) and distance of its first half
@@ -192,14 +194,14 @@ private:
         void beforeFirst();
         void beforeSecond();
 
-        //- After that of the first half: noise and surfaces; and of the second
+        //- After that of the first half: noise and surfaces
         void afterFirst();
-        void addPending();
 
         //- Without inertia: velocity over the coming sub-step without noise,
         //  and its factor for the noise along the normal m. Returns the share
         //  of U that carries the particle; without, it is at rest
         double drift(int i, double* v, double* m, double& along) const;
+        void loadOverdamped(int i);
         void spin(int i) const;
 
         //- Of the nearest plane wall: normal, mobility relative to 1/Sp along
@@ -238,6 +240,9 @@ public:
     }
 
     bool overdamped() const { return overdamped_; }
+
+    //- Contact distance over the sum of radii that ended contacts need
+    double touchFactor() const;
 
     //- Make the columns of colloids; on all ranks
     void needColloids();

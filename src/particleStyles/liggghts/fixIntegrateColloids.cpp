@@ -162,11 +162,6 @@ void Foam::dew::fixIntegrate::afterFirst()
     const uint64_t step = uint64_t(update->ntimestep);
     const ziggurat& normalOf = ziggurat::instance();
 
-    if (surfaces_)
-    {
-        addPending();
-    }
-
     for (int i = 0; i < atom->nlocal; i++)
     {
         double* c = colloid_[i];
@@ -174,6 +169,11 @@ void Foam::dew::fixIntegrate::afterFirst()
 
         for (int k = 0; k < 3; k++)
         {
+            // Of the surface: before the noise of this sub-step
+            if (surfaces_)
+            {
+                atom->v[i][k] += c[pending+k];
+            }
             c[pending+k] = 0;
         }
         if (c[noiseV] > 0)
@@ -217,18 +217,6 @@ void Foam::dew::fixIntegrate::beforeSecond()
                 data_[i][impulse+k] += dJ*m[k];
                 c[pending+k] += dv*m[k];
             }
-        }
-    }
-}
-
-
-void Foam::dew::fixIntegrate::addPending()
-{
-    for (int i = 0; i < atom->nlocal; i++)
-    {
-        for (int k = 0; k < 3; k++)
-        {
-            atom->v[i][k] += colloid_[i][pending+k];
         }
     }
 }

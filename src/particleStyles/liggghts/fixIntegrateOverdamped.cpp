@@ -31,7 +31,6 @@ double Foam::dew::fixIntegrate::drift
 ) const
 {
     const double* d = data_[i];
-    const double mobility = 1/d[Sp];
 
     along = 1;
 
@@ -50,7 +49,7 @@ double Foam::dew::fixIntegrate::drift
 
     for (int k = 0; k < 3; k++)
     {
-        v[k] = share*d[U+k] + mobility*(atom->f[i][k] + d[Su+k]);
+        v[k] = share*d[U+k] + d[mobility]*(atom->f[i][k] + d[Su+k]);
     }
 
     if (held)
@@ -59,10 +58,10 @@ double Foam::dew::fixIntegrate::drift
         const double* c = colloid_[i];
         double stiff = 0;
         const double force = pull(c, atom->radius[i], delta, stiff);
-        const double q = mobility*stiff*update->dt;
+        const double q = d[mobility]*stiff*update->dt;
         const double w = c[speed]*dot(c + normal, m);
         const double free = dot(v, m);
-        const double more = phi1(q)*(free - w + mobility*force) + w - free;
+        const double more = phi1(q)*(free - w + d[mobility]*force) + w - free;
 
         for (int k = 0; k < 3; k++)
         {
@@ -120,12 +119,12 @@ void Foam::dew::fixIntegrate::hinder
 ) const
 {
     const double* d = data_[i];
-    const double drift = colloid_ ? colloid_[i][kT]*w.slope/d[Sp] : 0;
+    const double drift = colloid_ ? colloid_[i][kT]*w.slope*d[mobility] : 0;
     double F[3];
 
     for (int k = 0; k < 3; k++)
     {
-        F[k] = (atom->f[i][k] + d[Su+k])/d[Sp];
+        F[k] = (atom->f[i][k] + d[Su+k])*d[mobility];
     }
     const double along = (w.normal - w.parallel)*dot(F, w.n) + drift;
 
@@ -171,23 +170,36 @@ void Foam::dew::fixIntegrate::moveHindered(const int i)
 }
 
 
+void Foam::dew::fixIntegrate::loadOverdamped(const int i)
+{
+    double* d = data_[i];
+    const double R = atom->radius[i];
+
+    d[mobility] = 1/d[Sp];
+    d[turning] = 1/(d[Tp] > 0 ? d[Tp] : 4.0/3.0*R*R*d[Sp]);
+    if (colloid_)
+    {
+        const double dt = update->dt;
+        colloid_[i][noiseV] = diffusionStep(colloid_[i][kT], d[Sp], dt)/dt;
+    }
+}
+
+
 void Foam::dew::fixIntegrate::spin(const int i) const
 {
     const double* d = data_[i];
-    const double R = atom->radius[i];
-    const double friction = d[Tp] > 0 ? d[Tp] : 4.0/3.0*R*R*d[Sp];
 
     for (int k = 0; k < 3; k++)
     {
         atom->omega[i][k] =
-            d[Omega+k] + (atom->torque[i][k] + d[Tu+k])/friction;
+            d[Omega+k] + (atom->torque[i][k] + d[Tu+k])*d[turning];
     }
 }
 
 
 bool Foam::dew::fixIntegrate::noise(const int i, double* g) const
 {
-    if (!colloid_ || !(colloid_[i][noiseX] > 0))
+    if (!colloid_ || !(colloid_[i][noiseV] > 0))
     {
         return false;
     }
@@ -197,10 +209,9 @@ bool Foam::dew::fixIntegrate::noise(const int i, double* g) const
         uint64_t(update->ntimestep), g
     );
 
-    const double width = colloid_[i][noiseX]/update->dt;
     for (int k = 0; k < 3; k++)
     {
-        g[k] *= width;
+        g[k] *= colloid_[i][noiseV];
     }
     return true;
 }
@@ -223,13 +234,12 @@ void Foam::dew::fixIntegrate::moveFree(const int i)
     double* x = atom->x[i];
     double* v = atom->v[i];
     const double* f = atom->f[i];
-    const double mobility = 1/d[Sp];
 
     spin(i);
 
     for (int k = 0; k < 3; k++)
     {
-        v[k] = d[U+k] + mobility*(f[k] + d[Su+k]);
+        v[k] = d[U+k] + d[mobility]*(f[k] + d[Su+k]);
         d[impulse+k] -= f[k]*dt;
         d[angularImpulse+k] -= atom->torque[i][k]*dt;
     }

@@ -9,6 +9,7 @@
 #include "fixConduction.h"
 #include "fixGravity.h"
 #include "fixIntegrate.h"
+#include "fixListReach.h"
 #include "fixLubrication.h"
 #include "fixWallContacts.h"
 #include "reach.h"
@@ -53,6 +54,7 @@ void Foam::dew::registerStyles(LAMMPS* lmp)
     fixes["dew/integrate"] = &makeFix<fixIntegrate>;
     fixes["dew/gravity"] = &makeFix<fixGravity>;
     fixes["dew/wallContacts"] = &makeFix<fixWallContacts>;
+    fixes["dew/listReach"] = &makeFix<fixListReach>;
     fixes["dew/lubrication"] = &makeFix<fixLubrication>;
     fixes["dew/colloidPairs"] = &makeFix<fixColloidPairs>;
     fixes["dew/conduction"] = &makeFix<fixConduction>;

@@ -230,6 +230,34 @@ def test_wall(tmp_path, wall, d):
         assert np.abs(F[k, :2]).max() < 1e-9 * abs(expected)
 
 
+@pytest.mark.parametrize('other', ['plane', 'STL', 'sphere'])
+@pytest.mark.parametrize('h0', [6.5e-8, 1.1e-7, 2.3e-7])
+def test_coming_from_afar(tmp_path, other, h0):
+    """Lists are built in time: a sphere that comes at 1 m/s from beyond the cut-off has at 40 nm the speed that the energy
+    between cut-off and there leaves it (1e-3 of the change: first order of the sub-step at the cut-off)."""
+    d, v, h = 1e-7, 1.0, 4e-8
+    steps = int(round((h0 - h) / v / 1e-11))
+    shape = {'plane': {'type': 'plane', 'point': (0, 0, -2**-20), 'normal': (0, 0, 1)},
+             'STL': {'type': 'STL', 'file': quoted('constant/floor.stl')}}.get(other)
+    x = np.array([[0, 0, d / 2 + h0 - 2**-20]])
+    R, share = (d / 2,), 1.0
+    if other == 'sphere':
+        # A thousand times the mass: it stays
+        x = np.vstack([x, [0, 0, -5 * d - 2**-20]])
+        R, share = (d / 2, 5 * d), 1 / (1 + 1e-3)
+    case, _ = case_of(tmp_path, {'v': HAMAKER, 'e': CHARGED}, x, [d, 10 * d][:len(x)], dt=1e-11, n_sub=steps, n_out=1,
+                      walls={'floor': {**shape, 'material': 'silica'}} if shape else None, width=2e-5,
+                      v=[[0, 0, -v], [0, 0, 0]][:len(x)], files={
+                          'constant/floor.stl': STL.format(z=-2**-20).replace('9e-4', '9e-6')})
+    rows = rows_of(case)
+    gap = rows['z'][0] + 2**-20 - d / 2 - (rows['z'][1] + 5 * d + 2**-20 if len(rows) > 1 else 0)
+    assert abs(gap - h) < 1e-9
+    lost = float(mpmath.quad(lambda s: total(float(s), *R), [gap, CUT_OFF]))
+    m = RHO * np.pi / 6 * d**3 * share
+    speed = rows['vz'][0] - (rows['vz'][1] if len(rows) > 1 else 0)
+    assert abs((v**2 - speed**2) / (2 * lost / m) - 1) < 2e-3
+
+
 def test_materials(tmp_path):
     """Entries of a pair, and of one material, replace those for all."""
     x, _ = two(2e-9, (1e-6, 1e-6))

@@ -594,9 +594,23 @@ void Foam::dew::liggghtsCommands::conduction
 }
 
 
-void Foam::dew::liggghtsCommands::colloids(const scalar reach)
+void Foam::dew::liggghtsCommands::listReach
+(
+    const scalar margin,
+    const scalar factor
+)
 {
-    add("fix colloids all dew/colloidPairs " + engineText(reach));
+    add
+    (
+        "fix listReach all dew/listReach "
+      + engineText(margin/units_.length) + ' ' + engineText(factor)
+    );
+}
+
+
+void Foam::dew::liggghtsCommands::colloids()
+{
+    add("fix colloids all dew/colloidPairs");
 }
 
 

@@ -360,11 +360,21 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
         // The lists of flat walls reach as far as half of it, and no further
         skin = max(skin, 2.2*lubrication.maxGap());
     }
-    if (colloids_ && !walls.empty())
+    // Lists that hold all gaps up to the cut-off between two builds
+    const scalar reach = colloids_ ? colloids_->cutOff() : 0;
+    const scalar margin = 0.5*max(skin, reach);
+    if (colloids_)
     {
-        skin = max(skin, 2.2*colloids_->cutOff());
+        skin = (walls.empty() ? 1 : 2)*reach + 2*margin;
     }
     commands.contact(skin);
+    if (colloids_)
+    {
+        commands.listReach
+        (
+            margin, walls.empty() ? 1 : 1 + 1.01*reach/smallestRadius()
+        );
+    }
 
     const fileName path(mesh_.time().globalPath()/folder);
     forAll(walls, i)
@@ -398,7 +408,7 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
     }
     if (colloids_)
     {
-        commands.colloids(colloids_->reach(smallestRadius()));
+        commands.colloids();
     }
     commands.end(deltaT_);
 
