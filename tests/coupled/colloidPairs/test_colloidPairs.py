@@ -230,6 +230,34 @@ def test_wall(tmp_path, wall, d):
         assert np.abs(F[k, :2]).max() < 1e-9 * abs(expected)
 
 
+def atoms_at_wall(z, R, sigma, attraction=True):
+    """A sphere of Lennard-Jones atoms with its centre at z over a half-space of them: the 9-3 potential of one atom (R.
+    Everaers, M.R. Ejtehadi, Phys. Rev. E 67 (2003) 041710 start from the same pairs), summed over the sphere's slices;
+    A = 4 pi^2 epsilon rho1 rho2 sigma^6."""
+    with mpmath.workdps(40):
+        z, R, s = (mpmath.mpf(float(v)) for v in (z, R, sigma))
+        h = z - R
+        # A slice has an area of pi (R^2 - (y - z)^2): its derivative by z remains
+        edges = [h * 2**k for k in range(60) if h * 2**k < h + 2*R] + [h + 2*R]
+        return float(-A / (6 * s**3) * mpmath.quad(
+            lambda y: (2 * (s/y)**9 / 15 - (s/y)**3 * attraction) * 2 * (y - z), edges))
+
+
+@pytest.mark.parametrize('attraction', [True, False])
+@pytest.mark.parametrize('d', [5e-8, 1e-6])
+def test_wall_of_atoms(tmp_path, d, attraction):
+    """1e-6; no force between particles."""
+    gaps = [2.5e-10, 5e-10, 3e-9]
+    x = np.array([[(d + 2e-9) * (k - 1), 0, d / 2 + h - 2**-20] for k, h in enumerate(gaps)])
+    law = {'type': 'LennardJonesWall', 'hamaker': A, 'sigma': 4e-10, 'vanDerWaals': attraction}
+    case, _ = case_of(tmp_path, {'w': law}, x, d, width=2e-5, walls={
+        'floor': {'type': 'plane', 'point': (0, 0, -2**-20), 'normal': (0, 0, 1), 'material': 'silica'}})
+    F = forces_on(case)
+    for k, z in enumerate(x[:, 2] + 2**-20):
+        assert abs(F[k, 2] / atoms_at_wall(z, d / 2, 4e-10, attraction) - 1) < 1e-6
+    assert np.abs(F[:, :2]).max() == 0
+
+
 def test_materials(tmp_path):
     """Entries of a pair, and of one material, replace those for all."""
     x, _ = two(2e-9, (1e-6, 1e-6))
@@ -329,12 +357,21 @@ def test_limit_of_the_sub_step(tmp_path, dynamics):
     ({'forces/v/glass.silica': {'hamaker': 1e-20}}, 'names no material'),
     ({'forces/e/charge': 0.01}, "'zeta'.*'charge'"),
     ({'forces/w': {'type': 'LennardJonesWall', 'hamaker': 1e-20, 'sigma': 4e-10}}, 'van der Waals force of walls'),
+    ({'forces/w': {'type': 'LennardJonesWall', 'hamaker': 1e-20, 'sigma': 4e-10, 'vanDerWaals': False,
+                   'silica.silica': {'vanDerWaals': True}}}, 'van der Waals force of walls'),
+    ({'forces/w': {'type': 'LennardJonesWall', 'hamaker': 0, 'sigma': 4e-10}}, "Hamaker constant of .*w is 0 J.*above 0"),
+    ({'forces/b': {'type': 'Born', 'hamaker': -1e-20, 'sigma': 4e-10}}, "Hamaker constant of .*b is -1e-20 J.*above 0"),
+    ({'forces/v/silica': {'hamaker': 1e-20}}, "'silica' .* names a material, but.*material.material"),
+    ({'forces/e/silica.silica': {'zeta': 0.01}}, "'silica.silica' .* names a pair, but.*Give one a material"),
+    ({'materials/glass': SOFT, 'forces/v/silica.glass': {'hamaker': 1e-20}, 'forces/v/glass.silica': {'hamaker': 2e-20}},
+     "'silica.glass' .* same pair as 'glass.silica'"),
     ({'debye': 1e-8}, "debye"),
 ])
 def test_bad_input(tmp_path, changes, message):
     """One message each, with the remedy."""
     x, _ = two(1e-8, (1e-6, 1e-6))
     _, output = case_of(tmp_path, {'v': HAMAKER, 'e': CHARGED}, x, 1e-6, code=1,
-                        changes={'colloids/' + key: value for key, value in changes.items()})
+                        changes={key if key.startswith('materials') else 'colloids/' + key: value
+                                 for key, value in changes.items()})
     assert output.count('FOAM FATAL') == 1
     assert re.search(message, output.replace('\n', ' ')), output
