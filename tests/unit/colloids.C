@@ -14,7 +14,10 @@
 #include "surfaceSpring.H"
 #include "table.H"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 using namespace Foam::dew;
 
@@ -125,21 +128,22 @@ TEST(brownianMotion, variancesOfTheProcess)
 TEST(brownianMotion, gaussiansAreNormalAndIndependent)
 {
     // Standard errors of n samples: 1/sqrt(n), sqrt(2/n), sqrt(96/n); 4 of them
-    const int n = 100000;
-    double sum[4] = {0, 0, 0, 0}, two[4][4] = {}, four[4] = {0, 0, 0, 0};
+    const int n = 100000, m = 6;
+    const ziggurat& z = ziggurat::instance();
+    double sum[m] = {}, two[m][m] = {}, four[m] = {};
     double next = 0, other = 0;
 
     for (int i = 0; i < n; i++)
     {
-        double g[4], later[4], neighbour[4];
-        gaussians(1, 17, i, 0, g);
-        gaussians(1, 17, i + 1, 0, later);
-        gaussians(1, 18, i, 1, neighbour);
-        for (int a = 0; a < 4; a++)
+        double g[m], later[m], neighbour[m];
+        gaussians<m>(z, 1, 17, i, g);
+        gaussians<m>(z, 1, 17, i + 1, later);
+        gaussians<m>(z, 1, 18, i, neighbour);
+        for (int a = 0; a < m; a++)
         {
             sum[a] += g[a];
             four[a] += std::pow(g[a], 4);
-            for (int b = 0; b < 4; b++)
+            for (int b = 0; b < m; b++)
             {
                 two[a][b] += g[a]*g[b];
             }
@@ -148,11 +152,11 @@ TEST(brownianMotion, gaussiansAreNormalAndIndependent)
         other += g[0]*neighbour[0];
     }
 
-    for (int a = 0; a < 4; a++)
+    for (int a = 0; a < m; a++)
     {
         EXPECT_NEAR(sum[a]/n, 0, 4/std::sqrt(n));
         EXPECT_NEAR(four[a]/n, 3, 4*std::sqrt(96.0/n));
-        for (int b = 0; b < 4; b++)
+        for (int b = 0; b < m; b++)
         {
             EXPECT_NEAR(two[a][b]/n, a == b, 4*std::sqrt(2.0/n));
         }
@@ -160,13 +164,42 @@ TEST(brownianMotion, gaussiansAreNormalAndIndependent)
     EXPECT_NEAR(next/n, 0, 4/std::sqrt(n));
     EXPECT_NEAR(other/n, 0, 4/std::sqrt(n));
 
-    // The same for the same, others for another seed, step or block
-    double a[4], b[4];
-    gaussians(5, 2, 3, 0, a);
-    gaussians(5, 2, 3, 0, b);
+    // The same for the same, others for another seed, step or particle; the
+    // first do not depend on how many are drawn
+    double a[3], b[8];
+    gaussians<3>(z, 5, 2, 3, a);
+    gaussians<8>(z, 5, 2, 3, b);
     EXPECT_EQ(a[2], b[2]);
-    gaussians(6, 2, 3, 0, b);
-    EXPECT_NE(a[2], b[2]);
-    gaussians(5, 2, 3, 1, b);
-    EXPECT_NE(a[2], b[2]);
+    for (const auto& other : {std::array<uint64_t, 3>{6, 2, 3}, {5, 3, 3}, {5, 2, 4}, {5, 2, 3 + (1ull << 32)}})
+    {
+        gaussians<8>(z, other[0], uint32_t(other[1]), other[2], b);
+        EXPECT_NE(a[2], b[2]);
+    }
+}
+
+TEST(ziggurat, sharesOfTheNormalDistribution)
+{
+    // Counts in bins against erfc, four standard errors and a half for 60 bins;
+    // the tail beyond 3.65 is drawn by another formula, 1300 of 5e6
+    const ziggurat& z = ziggurat::instance();
+    const int n = 5000000;
+    std::vector<double> count(60, 0.0);
+    for (int i = 0; i < n/4; i++)
+    {
+        double g[4];
+        gaussians<4>(z, 3, 1, i, g);
+        for (const double x : g)
+        {
+            const int bin = int(std::floor(x/0.15)) + 30;
+            count[std::min(59, std::max(0, bin))] += 1;
+        }
+    }
+    const auto below = [](const double x) { return 0.5*std::erfc(-x/std::sqrt(2.0)); };
+    for (int bin = 0; bin < 60; bin++)
+    {
+        const double low = bin == 0 ? 0 : below(0.15*(bin - 30));
+        const double high = bin == 59 ? 1 : below(0.15*(bin - 29));
+        const double expected = n*(high - low);
+        EXPECT_NEAR(count[bin], expected, 4.5*std::sqrt(expected) + 3) << bin;
+    }
 }

@@ -47,6 +47,42 @@ TEST(counterRandom, knownAnswers)
     }
 }
 
+TEST(counterRandom, knownAnswersOf64Bits)
+{
+    // The same file, lines "philox4x64 10"; the first also of numpy's Philox
+    struct vector { uint64_t counter[4], key[2], expected[4]; };
+    const uint64_t all = ~0ull;
+
+    const vector table[] =
+    {
+        {
+            {0, 0, 0, 0}, {0, 0},
+            {
+                0x16554d9eca36314c, 0xdb20fe9d672d0fdc,
+                0xd7e772cee186176b, 0x7e68b68aec7ba23b
+            }
+        },
+        {
+            {all, all, all, all}, {all, all},
+            {
+                0x87b092c3013fe90b, 0x438c3c67be8d0224,
+                0x9cc7d7c69cd777b6, 0xa09caebf594f0ba0
+            }
+        }
+    };
+
+    for (const vector& v : table)
+    {
+        uint64_t c[4] = {v.counter[0], v.counter[1], v.counter[2], v.counter[3]};
+        counterRandom::philox(v.key, c);
+
+        for (int k = 0; k < 4; k++)
+        {
+            EXPECT_EQ(c[k], v.expected[k]);
+        }
+    }
+}
+
 TEST(counterRandom, continuesFromItsCounter)
 {
     counterRandom all(7, 3);

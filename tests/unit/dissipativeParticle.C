@@ -10,7 +10,6 @@
 // short steps
 
 #include <gtest/gtest.h>
-#include "brownianMotion.H"
 #include "dissipativeParticle.H"
 
 using namespace Foam::dew;
@@ -58,11 +57,6 @@ TEST(dissipativeParticle, numbersOfThePair)
     EXPECT_NE(one, pairGaussian(5, 3, 10, 7));
     EXPECT_NE(one, pairGaussian(5, 3, 9, 8));
     EXPECT_NE(one, pairGaussian(5, 3, 9, 7 + (1ull << 32)));
-
-    // Not those of Brownian motion with the same counter
-    double g[4];
-    gaussians(5, 7, 3 + (9ull << 32), 0, g);
-    EXPECT_NE(pairGaussian(5, 3, 9, 7), g[0]);
 }
 
 TEST(dissipativeParticle, numbersAreNormalAndIndependent)

@@ -8,6 +8,10 @@
 #include "liggghtsTimeStep.H"
 #include "userEntry.H"
 
+// Largest way into each other in a sub-step, over the radius
+static const Foam::scalar overlap = 0.01;
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dew::colloidForces::colloidForces
@@ -57,17 +61,25 @@ Foam::dew::colloidForce Foam::dew::colloidForces::sum
 
 
 template<class Force>
-Foam::scalar Foam::dew::colloidForces::stiffness(const Force& F) const
+Foam::dew::colloidForces::steepness Foam::dew::colloidForces::steepest
+(
+    const Force& F
+) const
 {
     // Gaps of equal ratio; the slope over each is below 1 % of the largest
     const int n = 2000;
     const scalar least = max(medium_.minGap(), 1e-4*cutOff());
     const scalar ratio = pow(cutOff()*(1 - 1e-9)/least, 1.0/n);
-    scalar most = 0, h = least, before = F(h);
+    scalar h = least, before = F(h);
+    steepness most;
+    most.pull = max(-before, scalar(0));
     for (int i = 0; i < n; i++)
     {
         const scalar next = F(h*ratio);
-        most = max(most, mag(next - before)/(h*(ratio - 1)));
+        const scalar slope = (next - before)/(h*(ratio - 1));
+        most.slope = max(most.slope, mag(slope));
+        most.restoring = max(most.restoring, -slope);
+        most.pull = max(most.pull, -next);
         before = next;
         h *= ratio;
     }
@@ -165,11 +177,22 @@ Foam::scalar Foam::dew::colloidForces::stableTimeStep
 ) const
 {
     scalar least = GREAT;
-    const auto limit = [&](const scalar m, const scalar k)
+    // bodies: 2 of a pair, 1 at a wall
+    const auto limit =
+        [&](const scalar m, const label bodies, const steepness& most)
     {
-        if (k > 0)
+        if (mu > 0)
         {
-            least = min(least, mu > 0 ? overdampedTime(R, mu, k) : 2*sqrt(m/k));
+            const scalar k =
+                max(most.restoring, bodies*most.pull/(overlap*R));
+            if (k > 0)
+            {
+                least = min(least, overdampedTime(R, mu, k));
+            }
+        }
+        else if (most.slope > 0)
+        {
+            least = min(least, 2*sqrt(m/(bodies*most.slope)));
         }
     };
 
@@ -185,8 +208,8 @@ Foam::scalar Foam::dew::colloidForces::stableTimeStep
                 return pair(i, j, R, R, h).F;
             };
             const auto one = [&](const scalar h) { return wall(i, j, R, h).F; };
-            limit(0.5*m, stiffness(two));
-            limit(m, stiffness(one));
+            limit(m, 2, steepest(two));
+            limit(m, 1, steepest(one));
         }
     }
     return least;

@@ -72,6 +72,7 @@ Foam::dew::fixIntegrate::fixIntegrate(LAMMPS* lmp, int narg, char** arg)
     nMemory_(0),
     loaded_(false),
     heated_(false),
+    surfaces_(false),
     overdamped_(narg == 4 && std::strcmp(arg[3], "overdamped") == 0),
     seed_(1),
     minGap_(0),
@@ -161,9 +162,10 @@ void Foam::dew::fixIntegrate::received(const int i, double* J) const
 }
 
 
-void Foam::dew::fixIntegrate::load(const bool anyTerm)
+void Foam::dew::fixIntegrate::load(const bool anyTerm, const bool surfaces)
 {
     loaded_ = anyTerm;
+    surfaces_ = surfaces;
     halves_ = 0;
 
     const double dt = update->dt;
@@ -191,7 +193,11 @@ void Foam::dew::fixIntegrate::load(const bool anyTerm)
             const double mc = heatCapacity(i);
             d[heatStep] = dt/mc*phi1(dt/mc*d[Qp]);
         }
-        if (colloid_)
+        if (colloid_ && overdamped_)
+        {
+            colloid_[i][noiseX] = diffusionStep(colloid_[i][kT], d[Sp], dt);
+        }
+        else if (colloid_)
         {
             double* c = colloid_[i];
             const ornsteinUhlenbeck noise(c[kT], moved, d[Sp], dt);
@@ -339,7 +345,7 @@ void Foam::dew::fixIntegrate::initial_integrate(int)
         return;
     }
 
-    if (colloid_)
+    if (surfaces_)
     {
         beforeFirst();
     }
@@ -393,7 +399,7 @@ void Foam::dew::fixIntegrate::final_integrate()
 
     if (overdamped_)
     {
-        endOverdamped();
+        // Their velocities are set once, by finish()
     }
     else if (!loaded_)
     {
@@ -411,7 +417,7 @@ void Foam::dew::fixIntegrate::final_integrate()
     }
     else
     {
-        if (colloid_)
+        if (surfaces_)
         {
             beforeSecond();
         }

@@ -95,34 +95,35 @@ class fixIntegrate
 {
 public:
 
-    //- Columns of what is stored with each particle, engine units
+    //- Columns of what is stored with each particle, engine units: first those
+    //  of every sub-step, in whole cache lines
     enum column
     {
-        Su = 0, Sp = 3, U = 4,
-        Tu = 7, Tp = 10, Omega = 11,
-        Qu = 14, Qp = 15, Tf = 16,
-        impulse = 17, angularImpulse = 20, heat = 23,
-        keptForce = 24, keptTorque = 27, kept = 30,
-        // derived from the above at the start of a call: dt/m phi(...)
-        halfStep = 31, fullStep = 32, halfTurn = 33, heatStep = 34,
-        Sn = 35, startVelocity = 38, kick = 41, addedMass = 44,
-        nColumns = 45,
+        // halfStep, fullStep, halfTurn and heatStep are derived at the start
+        // of a call: dt/m phi(...)
+        Su = 0, Sp = 3, U = 4, halfStep = 7,
+        fullStep = 8, impulse = 9, Tu = 12, Tp = 15,
+        Omega = 16, halfTurn = 19, angularImpulse = 20, heat = 23,
+        Qu = 24, Qp = 25, Tf = 26, heatStep = 27,
+        Sn = 28, startVelocity = 31, kick = 34, addedMass = 37,
+        keptForce = 38, keptTorque = 41, kept = 44,
+        nColumns = 48,
         nKept = 7       // keptForce, keptTorque, kept
     };
 
     //- Columns of colloids, engine units
     enum colloidColumn
     {
-        kT = 0,
-        // centre from the moving foot of the surface, normal there
-        offset = 1, normal = 4, speed = 7, curvature = 8, stiffness = 9,
-        tension = 20, angle = 21,
-        // derived at the start of a call: ornsteinUhlenbeck
-        noiseV = 10, noiseXV = 11, noiseX = 12,
+        // derived at the start of a call: ornsteinUhlenbeck; without inertia
+        // noiseX alone, diffusionStep
+        kT = 0, noiseV = 1, noiseXV = 2, noiseX = 3,
         // within a sub-step: change of v not yet made; normal at the particle
         // (zero without a force) and distance of its first half
-        pending = 13, springNormal = 16, springDistance = 19,
-        nColloidColumns = 22
+        pending = 4, springDistance = 7, springNormal = 8,
+        // centre from the moving foot of the surface, normal there
+        offset = 11, normal = 14, speed = 17, curvature = 18, stiffness = 19,
+        tension = 20, angle = 21,
+        nColloidColumns = 24
     };
 
 private:
@@ -137,8 +138,8 @@ private:
     double** memory_;
     int nMemory_;
 
-    //- Are there bulk terms at all?
-    bool loaded_, heated_;
+    //- Are there bulk terms at all, heat, a surface of the liquid?
+    bool loaded_, heated_, surfaces_;
 
     //- No inertia; seed of the noise
     const bool overdamped_;
@@ -187,10 +188,12 @@ private:
             double& dv, double& dJ
         ) const;
 
-        //- Before and after the relaxation of the first and second half
+        //- Before the relaxation of the first and second half
         void beforeFirst();
-        void afterFirst();
         void beforeSecond();
+
+        //- After that of the first half: noise and surfaces; and of the second
+        void afterFirst();
         void addPending();
 
         //- Without inertia: velocity over the coming sub-step without noise,
@@ -204,14 +207,20 @@ private:
         struct nearWall { const double* n; double normal, parallel, slope; };
         nearWall hindrance(int i) const;
 
-        //- Velocity beside walls, and the noise of a step as a velocity
+        //- Noise of a sub-step as a velocity; is there any?
+        bool noise(int i, double* g) const;
+
+        //- Velocity beside walls
         void hinder(const nearWall&, int i, double* v) const;
-        void moveHindered(int i, uint64_t step);
 
         //- Offset from the surface after a sub-step with velocity v
         void follow(int i, const double* v);
+
+        //- One particle, by what is there: nothing else, walls, a surface
+        void moveFree(int i);
+        void moveHindered(int i);
+        void moveSurfaced(int i);
         void moveOverdamped();
-        void endOverdamped();
 
 public:
 
@@ -270,8 +279,11 @@ public:
     void received(int i, double* J) const;
 
     //- Bulk terms have been written, or are gone: set the derived columns,
-    //  note the velocities at the start
-    void load(bool anyTerm);
+    //  note the velocities at the start. The same on all ranks
+    void load(bool anyTerm, bool surfaces);
+
+    //- The sub-steps of a call are over: velocities as others may see them
+    void finish();
 
     //- Store force and torque so that the next setup returns to them
     void keepForces();

@@ -160,8 +160,12 @@ void Foam::dew::fixIntegrate::afterFirst()
 {
     const double dt = update->dt;
     const uint64_t step = uint64_t(update->ntimestep);
+    const ziggurat& normalOf = ziggurat::instance();
 
-    addPending();
+    if (surfaces_)
+    {
+        addPending();
+    }
 
     for (int i = 0; i < atom->nlocal; i++)
     {
@@ -174,18 +178,18 @@ void Foam::dew::fixIntegrate::afterFirst()
         }
         if (c[noiseV] > 0)
         {
-            double g[8];
-            gaussians(seed_, atom->tag[i], step, 0, g);
-            gaussians(seed_, atom->tag[i], step, 1, g + 4);
+            double g[6];
+            gaussians<6>(normalOf, seed_, atom->tag[i], step, g);
 
+            const double m = atom->rmass[i];
             for (int k = 0; k < 3; k++)
             {
-                x[k] += c[noiseXV]*g[k] + c[noiseX]*g[4+k];
+                x[k] += c[noiseXV]*g[k] + c[noiseX]*g[3+k];
                 c[pending+k] = c[noiseV]*g[k];
-                data_[i][impulse+k] += atom->rmass[i]*c[pending+k];
+                data_[i][impulse+k] += m*c[pending+k];
             }
         }
-        if (surfaced(c))
+        if (surfaces_ && surfaced(c))
         {
             for (int k = 0; k < 3; k++)
             {

@@ -136,7 +136,7 @@ void Foam::dew::fixIntegrate::hinder
 }
 
 
-void Foam::dew::fixIntegrate::moveHindered(const int i, const uint64_t step)
+void Foam::dew::fixIntegrate::moveHindered(const int i)
 {
     const double dt = update->dt;
     double* d = data_[i];
@@ -153,18 +153,14 @@ void Foam::dew::fixIntegrate::moveHindered(const int i, const uint64_t step)
         d[angularImpulse+k] -= atom->torque[i][k]*dt;
     }
 
-    const double kTi = colloid_ ? colloid_[i][kT] : 0;
-    if (kTi > 0)
+    double g[3];
+    if (noise(i, g))
     {
-        double g[4];
-        gaussians(seed_, atom->tag[i], step, 0, g);
-
-        const double width = diffusionStep(kTi, d[Sp], dt)/dt;
         const double across = std::sqrt(w.parallel);
         const double along = (std::sqrt(w.normal) - across)*dot(g, w.n);
         for (int k = 0; k < 3; k++)
         {
-            v[k] += width*(across*g[k] + along*w.n[k]);
+            v[k] += across*g[k] + along*w.n[k];
         }
     }
 
@@ -189,82 +185,142 @@ void Foam::dew::fixIntegrate::spin(const int i) const
 }
 
 
+bool Foam::dew::fixIntegrate::noise(const int i, double* g) const
+{
+    if (!colloid_ || !(colloid_[i][noiseX] > 0))
+    {
+        return false;
+    }
+    gaussians<3>
+    (
+        ziggurat::instance(), seed_, atom->tag[i],
+        uint64_t(update->ntimestep), g
+    );
+
+    const double width = colloid_[i][noiseX]/update->dt;
+    for (int k = 0; k < 3; k++)
+    {
+        g[k] *= width;
+    }
+    return true;
+}
+
+
 void Foam::dew::fixIntegrate::follow(const int i, const double* v)
 {
-    if (colloid_)
+    double* c = colloid_[i];
+    for (int k = 0; k < 3; k++)
     {
-        double* c = colloid_[i];
+        c[offset+k] += (v[k] - c[speed]*c[normal+k])*update->dt;
+    }
+}
+
+
+void Foam::dew::fixIntegrate::moveFree(const int i)
+{
+    const double dt = update->dt;
+    double* d = data_[i];
+    double* x = atom->x[i];
+    double* v = atom->v[i];
+    const double* f = atom->f[i];
+    const double mobility = 1/d[Sp];
+
+    spin(i);
+
+    for (int k = 0; k < 3; k++)
+    {
+        v[k] = d[U+k] + mobility*(f[k] + d[Su+k]);
+        d[impulse+k] -= f[k]*dt;
+        d[angularImpulse+k] -= atom->torque[i][k]*dt;
+    }
+
+    double g[3];
+    if (noise(i, g))
+    {
         for (int k = 0; k < 3; k++)
         {
-            c[offset+k] += (v[k] - c[speed]*c[normal+k])*update->dt;
+            v[k] += g[k];
         }
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        x[k] += v[k]*dt;
+    }
+}
+
+
+void Foam::dew::fixIntegrate::moveSurfaced(const int i)
+{
+    const double dt = update->dt;
+    double* d = data_[i];
+    double* v = atom->v[i];
+    double m[3], along;
+
+    const double share = drift(i, v, m, along);
+    if (share == 0)
+    {
+        std::memset(atom->omega[i], 0, 3*sizeof(double));
+        follow(i, v);
+        return;
+    }
+    spin(i);
+
+    for (int k = 0; k < 3; k++)
+    {
+        d[impulse+k] += (d[Sp]*(share*d[U+k] - v[k]) + d[Su+k])*dt;
+        d[angularImpulse+k] -= atom->torque[i][k]*dt;
+    }
+
+    double g[3];
+    if (noise(i, g))
+    {
+        const double less = (along - 1)*dot(g, m);
+        for (int k = 0; k < 3; k++)
+        {
+            v[k] += g[k] + less*m[k];
+        }
+    }
+    follow(i, v);
+
+    for (int k = 0; k < 3; k++)
+    {
+        atom->x[i][k] += v[k]*dt;
     }
 }
 
 
 void Foam::dew::fixIntegrate::moveOverdamped()
 {
-    const double dt = update->dt;
-    const uint64_t step = uint64_t(update->ntimestep);
-
-    for (int i = 0; i < atom->nlocal; i++)
+    if (!planes_.empty())
     {
-        double* d = data_[i];
-        double* x = atom->x[i];
-        double* v = atom->v[i];
-        double m[3], along;
-
-        if (!planes_.empty())
+        for (int i = 0; i < atom->nlocal; i++)
         {
-            moveHindered(i, step);
-            continue;
+            moveHindered(i);
         }
-        const double share = drift(i, v, m, along);
-        if (share == 0)
+    }
+    else if (surfaces_)
+    {
+        for (int i = 0; i < atom->nlocal; i++)
         {
-            std::memset(atom->omega[i], 0, 3*sizeof(double));
-            follow(i, v);
-            continue;
+            moveSurfaced(i);
         }
-        spin(i);
-
-        for (int k = 0; k < 3; k++)
+    }
+    else
+    {
+        for (int i = 0; i < atom->nlocal; i++)
         {
-            d[impulse+k] += (d[Sp]*(share*d[U+k] - v[k]) + d[Su+k])*dt;
-            d[angularImpulse+k] -= atom->torque[i][k]*dt;
-        }
-
-        if (colloid_)
-        {
-            const double* c = colloid_[i];
-
-            if (c[kT] > 0)
-            {
-                double g[4];
-                gaussians(seed_, atom->tag[i], step, 0, g);
-
-                const double width = diffusionStep(c[kT], d[Sp], dt)/dt;
-                const double less = (along - 1)*dot(g, m);
-                for (int k = 0; k < 3; k++)
-                {
-                    v[k] += width*(g[k] + less*m[k]);
-                }
-            }
-        }
-        follow(i, v);
-
-        for (int k = 0; k < 3; k++)
-        {
-            x[k] += v[k]*dt;
+            moveFree(i);
         }
     }
 }
 
 
-void Foam::dew::fixIntegrate::endOverdamped()
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dew::fixIntegrate::finish()
 {
     // Without noise: the speed of the noise has no meaning
-    for (int i = 0; i < atom->nlocal; i++)
+    for (int i = 0; overdamped_ && i < atom->nlocal; i++)
     {
         double m[3], along;
         if (!planes_.empty())

@@ -317,17 +317,29 @@ def test_restart_goes_on_exactly(tmp_path):
 
 # --- The sub-step
 
-@pytest.mark.parametrize('dynamics', [{}, {'type': 'overdamped', 'viscosity': 1e-3}], ids=['inertial', 'overdamped'])
-def test_limit_of_the_sub_step(tmp_path, dynamics):
-    """2 sqrt(m*/k) or 6 pi mu R/k of the steepest force, van der Waals at the least gap; the slope is sampled: 1 %."""
+STEEP = {
+    'inertial': ({}, {'v': HAMAKER}, lambda R, F, k: 2 * np.sqrt(RHO * 4 / 3 * np.pi * R**3 / 2 / k(MIN_GAP))),
+    'attraction': ({'type': 'overdamped', 'viscosity': 1e-3}, {'v': HAMAKER},
+                   lambda R, F, k: 6 * np.pi * 1e-3 * R * 0.01 * R / (2 * abs(F(MIN_GAP)))),
+    'repulsion': ({'type': 'overdamped', 'viscosity': 1e-3}, {'e': CHARGED},
+                  lambda R, F, k: 6 * np.pi * 1e-3 * R / (2 * np.pi * EPS * R * KAPPA**2 * PSI**2 / 2))}
+
+
+@pytest.mark.parametrize('case', STEEP)
+def test_limit_of_the_sub_step(tmp_path, case):
+    """2 sqrt(m*/k) of the steepest force, van der Waals at the least gap; without inertia an attraction may pull two by 1 %
+    of R into each other, and a repulsion has 6 pi mu R/k, that of two equal potentials steepest at a wall at contact,
+    2 pi eps R kappa^2 psi^2/4 times 2 (MIN_GAP is near enough: kappa h = 0.02). The slope is sampled: 1 %."""
     R = 5e-7
+    dynamics, forces, limit = STEEP[case]
+
+    def k(h):
+        with mpmath.workdps(60):
+            return abs(float(mpmath.diff(hamaker_U, (mpmath.mpf(h), R, R), (2, 0, 0))))
+    expected = limit(R, lambda h: force(hamaker_U, h, R, R), k)
     x, _ = two(1e-8, (1e-6, 1e-6))
-    with mpmath.workdps(60):
-        k = abs(float(mpmath.diff(hamaker_U, (mpmath.mpf(MIN_GAP), R, R), (2, 0, 0))))
-    m = RHO * 4 / 3 * np.pi * R**3 / 2
-    expected = 6 * np.pi * 1e-3 * R / (2 * k) if dynamics else 2 * np.sqrt(m / k)
     more = {'dynamics/' + key: value for key, value in dynamics.items()}
-    case = case_of(tmp_path, {'v': HAMAKER}, x, 1e-6, run=False, changes={**more, 'materials/silica/youngsModulus': 1e4})
+    case = case_of(tmp_path, forces, x, 1e-6, run=False, changes={**more, 'materials/silica/youngsModulus': 1e4})
     case.write_file('constant/testProperties', foam_dict({'Sp': 6 * np.pi * 1e-3 * R, 'U': (0, 0, 0)}) + '\n')
     done = case.run('testEngine')
     assert done.code == 0, done.output

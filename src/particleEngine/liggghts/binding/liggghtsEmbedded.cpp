@@ -427,6 +427,7 @@ void Foam::dew::liggghtsEmbedded::run(long nSteps)
     {
         // The forces are those of the last sub-step or of setup()
         lmp_->update->integrate->run(int(nSteps));
+        integrator().finish();
     }
     catch (const notFinite& e)
     {

@@ -355,13 +355,14 @@ void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
     }
 
     // Decided together: a particle may migrate to a rank that pushed nothing
-    int any[2] =
+    int any[3] =
     {
         b.Su || b.Sn || b.Sp || b.Tu || b.Tp || b.Qu || b.Qp || b.surfaceK
      || b.addedMass,
-        b.kT || b.surfaceK
+        b.kT || b.surfaceK,
+        b.surfaceK != nullptr
     };
-    MPI_Allreduce(MPI_IN_PLACE, any, 2, MPI_INT, MPI_MAX, world_);
+    MPI_Allreduce(MPI_IN_PLACE, any, 3, MPI_INT, MPI_MAX, world_);
 
     if (b.nMemory > 0)
     {
@@ -415,10 +416,14 @@ void Foam::dew::liggghtsEmbedded::push(const bulkForcesView& b)
         {
             data[i][f::Su + k] += data[i][f::Sn + k];
         }
-        std::memset(data[i] + f::impulse, 0, 7*sizeof(double));
+        for (const int column : {f::impulse, f::angularImpulse})
+        {
+            std::memset(data[i] + column, 0, 3*sizeof(double));
+        }
+        data[i][f::heat] = 0;
     }
 
-    data.load(any[0]);
+    data.load(any[0], any[2]);
 }
 
 
