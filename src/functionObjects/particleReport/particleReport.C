@@ -61,7 +61,11 @@ void Foam::dew::particleReport::print()
     // Four digits are enough to read
     std::ostringstream energy, clock, pace;
     energy.precision(4);
-    energy << l.kineticEnergy;
+    energy << l.kineticEnergy << " J";
+    if (particles_.properties().found("colloids"))
+    {
+        energy << "  colloidal energy " << l.colloidEnergy << " J";
+    }
     clock.precision(2);
     clock << std::fixed << wall;
     pace.precision(2);
@@ -70,7 +74,7 @@ void Foam::dew::particleReport::print()
     Info<< "Time = " << time_.timeName()
         << "  particles " << l.particles
         << "  sub-steps " << l.subSteps
-        << "  kinetic energy " << energy.str().c_str() << " J"
+        << "  kinetic energy " << energy.str().c_str()
         << "  wall " << clock.str().c_str() << " s (engine "
         << percent(particles_.engineTime());
     if (exchange_)

@@ -22,7 +22,9 @@ Foam::dew::colloidForces::colloidForces
 )
 :
     materials_(mats),
-    medium_(dict)
+    medium_(dict),
+    rough_(mats.size()*mats.size()),
+    roughWalls_(mats.size()*mats.size())
 {
     const dictionary& forces = userEntry::subDict(dict, "forces");
     for (const entry& e : forces)
@@ -33,6 +35,7 @@ Foam::dew::colloidForces::colloidForces
         );
     }
     check(dict, R);
+    roughen(dict, R);
 }
 
 
@@ -46,17 +49,25 @@ Foam::dew::colloidForce Foam::dew::colloidForces::sum
 ) const
 {
     colloidForce total{0, 0};
-    if (h < cutOff())
+    for (const colloidLaw& one : laws_)
     {
-        const double least = medium_.minGap();
-        const double gap = h > least ? h : least;
-        for (const colloidLaw& one : laws_)
-        {
-            total += law(one, gap);
-        }
-        total.U += total.F*(gap - h);
+        total += law(one, h);
     }
     return total;
+}
+
+
+template<class Force>
+Foam::dew::colloidForce Foam::dew::colloidForces::within
+(
+    const double h,
+    const Force& force
+) const
+{
+    return
+        h < cutOff()
+      ? heldBelow(medium_.minGap(), h, force)
+      : colloidForce{0, 0};
 }
 
 
@@ -136,6 +147,102 @@ void Foam::dew::colloidForces::check
 }
 
 
+Foam::scalarList Foam::dew::colloidForces::roughness
+(
+    const dictionary& dict
+) const
+{
+    if (!dict.isDict("roughness"))
+    {
+        return scalarList
+        (
+            materials_.size(),
+            userEntry::notNegativeOr(dict, "roughness", dimLength, 0)
+        );
+    }
+
+    const dictionary& each = userEntry::subDict(dict, "roughness");
+    userEntry::onlyThese(each, materials_.names());
+    scalarList s;
+    for (const word& name : materials_.names())
+    {
+        s.append(userEntry::notNegativeOr(each, name, dimLength, 0));
+    }
+    return s;
+}
+
+
+void Foam::dew::colloidForces::roughen
+(
+    const dictionary& dict,
+    const scalar R
+)
+{
+    const scalarList one(roughness(dict));
+    const scalar least = medium_.minGap();
+    for (const scalar s : one)
+    {
+        if (s > 0 && s < 0.05*least)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'roughness' in " << dict.dictName() << " is " << s
+                << " m, below 5 % of minGap " << least << " m: no force feels"
+                << " it" << nl << "Remove it, or lower minGap"
+                << exit(FatalIOError);
+        }
+        if (s > 0 && least <= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'roughness' in " << dict.dictName() << " needs"
+                << " minGap > 0, for rough surfaces touch in places" << nl
+                << "Give the least gap, 2e-10 to 1e-9 m is usual"
+                << exit(FatalIOError);
+        }
+    }
+
+    const label n = materials_.size();
+    for (label i = 0; i < n; i++)
+    {
+        for (label j = 0; j < n; j++)
+        {
+            const scalar s = hypot(one[i], one[j]);
+            const auto table = [&](const bool wall)
+            {
+                return new roughForceTable
+                (
+                    s, least, cutOff(), R, wall,
+                    [&](const double h, const double R1, const double R2)
+                    {
+                        return heldBelow(least, h, [&](const double gap)
+                        {
+                            return sum
+                            (
+                                gap,
+                                [&](const colloidLaw& law, const double g)
+                                {
+                                    return
+                                        wall
+                                      ? law.wall(i, j, R1, g)
+                                      : law.pair(i, j, R1, R2, g);
+                                }
+                            );
+                        });
+                    }
+                );
+            };
+            if (s > 0)
+            {
+                roughWalls_.set(at(i, j), table(true));
+            }
+            if (s > 0 && i <= j)
+            {
+                rough_.set(at(i, j), table(false));
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::dew::colloidForce Foam::dew::colloidForces::pair
@@ -143,14 +250,17 @@ Foam::dew::colloidForce Foam::dew::colloidForces::pair
     int i, int j, double Ri, double Rj, double h
 ) const
 {
-    return sum
-    (
-        h,
-        [&](const colloidLaw& law, const double gap)
-        {
-            return law.pair(i, j, Ri, Rj, gap);
-        }
-    );
+    return within(h, [&](const double gap)
+    {
+        const roughForceTable* rough = rough_(at(min(i, j), max(i, j)));
+        return
+            rough
+          ? (*rough)(gap, Ri, Rj)
+          : sum(gap, [&](const colloidLaw& law, const double g)
+            {
+                return law.pair(i, j, Ri, Rj, g);
+            });
+    });
 }
 
 
@@ -159,14 +269,17 @@ Foam::dew::colloidForce Foam::dew::colloidForces::wall
     int i, int wall, double R, double h
 ) const
 {
-    return sum
-    (
-        h,
-        [&](const colloidLaw& law, const double gap)
-        {
-            return law.wall(i, wall, R, gap);
-        }
-    );
+    return within(h, [&](const double gap)
+    {
+        const roughForceTable* rough = roughWalls_(at(i, wall));
+        return
+            rough
+          ? (*rough)(gap, R, std::numeric_limits<double>::infinity())
+          : sum(gap, [&](const colloidLaw& law, const double g)
+            {
+                return law.wall(i, wall, R, g);
+            });
+    });
 }
 
 

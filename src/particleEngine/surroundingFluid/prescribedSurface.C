@@ -56,6 +56,8 @@ Foam::dew::prescribedSurface::prescribedSurface(const dictionary& dict)
             << " 'stiffness' of an elastic skin, or 'surfaceTension' with"
             << " 'contactAngle'; there are "
             << (dict.found("stiffness") ? "both" : "none") << nl
+            << "Keep one of them: stiffness 4e-4; or surfaceTension 0.072;"
+            << " contactAngle 30;"
             << exit(FatalIOError);
     }
     if (dict.found("stiffness"))

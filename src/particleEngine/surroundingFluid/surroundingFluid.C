@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surroundingFluid.H"
+#include "colloidConstants.H"
 #include "dimensionedVector.H"
 #include "polyMesh.H"
 #include "slipCorrection.H"
@@ -12,9 +13,6 @@
 #include "Time.H"
 #include "uniformDimensionedFields.H"
 #include "userEntry.H"
-
-// Boltzmann's constant [J/K]
-static const Foam::scalar kB = 1.380649e-23;
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -170,7 +168,7 @@ Foam::scalar Foam::dew::surroundingFluid::thermalEnergy(const label i) const
             << " constant/particleProperties"
             << exit(FatalError);
     }
-    return kB*T;
+    return colloidConstants::boltzmann*T;
 }
 
 

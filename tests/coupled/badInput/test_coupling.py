@@ -50,6 +50,9 @@ REFUSALS = {
     'StokesCunningham without a mean free path': (
         {'coupling/forces/drag/type': 'StokesCunningham'}, {}, {},
         ('particleProperties', 'drag', "'meanFreePath'")),
+    'a second fluid': (
+        {'fluid': {'viscosity': 1e-3, 'density': 1000}}, {}, {},
+        ('particleProperties', "'fluid'", 'demFoam', 'Remove')),
     'momentum scheme unknown': (
         {'coupling/momentum': 'implicit'}, {}, {},
         ('particleProperties', 'coupling', 'implicit', 'semiImplicit', 'explicit', 'none')),

@@ -84,6 +84,22 @@ def test_one_message(tmp_path, subject):
         assert word in message, message
 
 
+def test_third_fluid_refused(tmp_path):
+    """Entry fluid of particleProperties, which is for particles alone."""
+    case = TwoFluidCase(tmp_path, level=2e-3, cells=(2, 2, 4), endTime=1e-4)
+    case.properties = {
+        'engine': 'liggghts', 'fluid': {'viscosity': 1e-3, 'density': 1000},
+        'materials': {'glass': {'youngsModulus': 5e6, 'poissonsRatio': 0.3, 'density': 2500}},
+        'contacts': {'tangential': 'none', 'default': {'restitution': 0.8}}, 'coupling': case.coupling('Stokes'),
+        'insertion': {'one': {'type': 'file', 'file': '"constant/particles.csv"', 'material': 'glass'}}}
+    case.particles({'x': 1e-3, 'y': 1e-3, 'z': 1e-3, 'd': 1e-4})
+    case.mesh()
+    result = case.run('interDemFoam')
+    assert result.code == 1 and result.output.count('FOAM FATAL') == 1 and not case.times()
+    message = result.output.split('FOAM FATAL')[1]
+    assert all(word in message for word in ("'fluid'", 'demFoam', 'Remove')), message
+
+
 def test_forgotten_liquid_is_told(tmp_path):
     """Without setLiquid the run goes on, for liquid may flow in."""
     case = Small(tmp_path)

@@ -258,6 +258,34 @@ def test_coming_from_afar(tmp_path, other, h0):
     assert abs((v**2 - speed**2) / (2 * lost / m) - 1) < 2e-3
 
 
+def atoms_at_wall(z, R, sigma, attraction=True):
+    """A sphere of Lennard-Jones atoms with its centre at z over a half-space of them: the 9-3 potential of one atom (R.
+    Everaers, M.R. Ejtehadi, Phys. Rev. E 67 (2003) 041710 start from the same pairs), summed over the sphere's slices;
+    A = 4 pi^2 epsilon rho1 rho2 sigma^6."""
+    with mpmath.workdps(40):
+        z, R, s = (mpmath.mpf(float(v)) for v in (z, R, sigma))
+        h = z - R
+        # A slice has an area of pi (R^2 - (y - z)^2): its derivative by z remains
+        edges = [h * 2**k for k in range(60) if h * 2**k < h + 2*R] + [h + 2*R]
+        return float(-A / (6 * s**3) * mpmath.quad(
+            lambda y: (2 * (s/y)**9 / 15 - (s/y)**3 * attraction) * 2 * (y - z), edges))
+
+
+@pytest.mark.parametrize('attraction', [True, False])
+@pytest.mark.parametrize('d', [5e-8, 1e-6])
+def test_wall_of_atoms(tmp_path, d, attraction):
+    """1e-6; no force between particles."""
+    gaps = [2.5e-10, 5e-10, 3e-9]
+    x = np.array([[(d + 2e-9) * (k - 1), 0, d / 2 + h - 2**-20] for k, h in enumerate(gaps)])
+    law = {'type': 'LennardJonesWall', 'hamaker': A, 'sigma': 4e-10, 'vanDerWaals': attraction}
+    case, _ = case_of(tmp_path, {'w': law}, x, d, width=2e-5, walls={
+        'floor': {'type': 'plane', 'point': (0, 0, -2**-20), 'normal': (0, 0, 1), 'material': 'silica'}})
+    F = forces_on(case)
+    for k, z in enumerate(x[:, 2] + 2**-20):
+        assert abs(F[k, 2] / atoms_at_wall(z, d / 2, 4e-10, attraction) - 1) < 1e-6
+    assert np.abs(F[:, :2]).max() == 0
+
+
 def test_materials(tmp_path):
     """Entries of a pair, and of one material, replace those for all."""
     x, _ = two(2e-9, (1e-6, 1e-6))
@@ -315,6 +343,71 @@ def test_restart_goes_on_exactly(tmp_path):
     assert np.array_equal(vectors(rows_of(whole), names), vectors(rows_of(half), names))
 
 
+# --- Rough surfaces
+
+def over_heights(F, x, s):
+    """Average over a Gaussian of heights, by trapezia: the peak is whole within 10 s, and F held at MIN_GAP below it."""
+    h = np.linspace(x - 10*s, x + 10*s, 20001)
+    h = np.sort(np.append(h, MIN_GAP))
+    values = np.interp(h, (held := np.concatenate(([MIN_GAP], h[h > MIN_GAP]))), [F(g) for g in held])
+    return float(np.trapz(values * np.exp(-((h - x) / s)**2 / 2), h)) / (s * np.sqrt(2*np.pi))
+
+
+def rough_total(h, a, b=None):
+    """Van der Waals and double layer, the former in closed form (Hamaker's, differentiated)."""
+    if b is None:
+        H = -A / 6 * (a / h**2 + a / (h + 2*a)**2 - 1 / h + 1 / (h + 2*a))
+    else:
+        r = h + a + b
+        p, q = h * (h + 2*a + 2*b), (h + 2*a) * (h + 2*b)
+        H = A / 6 * (-4*a*b*r * (1 / p**2 + 1 / q**2) + 2*r * (1 / p - 1 / q))
+    return H + constant_potential(h, a, b)
+
+
+@pytest.mark.parametrize('d', [(5e-8, 5e-8), (1e-6, 1e-6), (2e-7, 1e-6)])
+def test_rough_surfaces(tmp_path, d):
+    """F of pairs and at a wall averaged over heights of s^2 = s1^2 + s2^2, of one size and of two, 1e-4; below the least
+    gap held at that of the least gap; energy as the force's integral."""
+    s1, s2 = 6e-10, 8e-10
+    gaps = [1.5e-10, 1e-9, 4e-9, 3e-8]
+    pairs = [two(h, d) for h in gaps]
+    # Apart from each other and from the wall, and two at the wall
+    places = [x + np.array([0, 4 * max(d) * (k - 1.5), 8 * max(d)]) for k, (x, _) in enumerate(pairs)]
+    z = 2**-20
+    at_wall = np.array([[0, (8 + k) * max(d), d[k] / 2 + 3e-9 - z] for k in range(2)])
+    case, output = case_of(
+        tmp_path, {'v': HAMAKER, 'e': CHARGED}, np.vstack([*places, at_wall]), d * (len(gaps) + 1), width=4e-5,
+        walls={'floor': {'type': 'plane', 'point': (0, 0, -z), 'normal': (0, 0, 1), 'material': 'glass'}},
+        changes={'materials/glass': SOFT, 'colloids/roughness': {'silica': s1, 'glass': s2}})
+    F = forces_on(case)
+    energy = 0
+    for k, x in enumerate(places):
+        r = x[1] - x[0]
+        h = max(np.linalg.norm(r) - sum(d) / 2, MIN_GAP)
+        expected = over_heights(lambda g: rough_total(g, d[0] / 2, d[1] / 2), h, np.sqrt(2) * s1)
+        assert abs(F[2*k + 1] @ r / np.linalg.norm(r) / expected - 1) < 1e-4
+    for k in range(2):
+        h = at_wall[k, 2] + z - d[k] / 2
+        expected = over_heights(lambda g: rough_total(g, d[k] / 2), h, 1e-9)
+        assert abs(F[2*len(gaps) + k, 2] / expected - 1) < 1e-4
+
+
+def test_energy_of_rough_surfaces(tmp_path):
+    """The averaged energy, 1e-4."""
+    s, R, h = 1e-9, 1e-7, 2e-9
+    x, h = two(h, (2*R, 2*R))
+    _, output = case_of(tmp_path, {'v': HAMAKER}, x, 2*R, changes={'colloids/roughness': s / np.sqrt(2)})
+
+    def U(g):
+        at_least = float(hamaker_U(max(g, MIN_GAP), R, R))
+        return at_least if g > MIN_GAP else at_least + rough_hamaker * (MIN_GAP - g)
+    rough_hamaker = force(hamaker_U, MIN_GAP, R, R)
+    g = np.linspace(h - 10*s, h + 10*s, 8001)
+    expected = np.trapz([U(v) * np.exp(-((v - h) / s)**2 / 2) for v in g], g) / (s * np.sqrt(2*np.pi))
+    found = float(re.search(r'energies \S+ (\S+)', output).group(1))
+    assert abs(found / expected - 1) < 1e-4
+
+
 # --- The sub-step
 
 STEEP = {
@@ -369,12 +462,26 @@ def test_limit_of_the_sub_step(tmp_path, case):
     ({'forces/v/glass.silica': {'hamaker': 1e-20}}, 'names no material'),
     ({'forces/e/charge': 0.01}, "'zeta'.*'charge'"),
     ({'forces/w': {'type': 'LennardJonesWall', 'hamaker': 1e-20, 'sigma': 4e-10}}, 'van der Waals force of walls'),
+    ({'forces/w': {'type': 'LennardJonesWall', 'hamaker': 1e-20, 'sigma': 4e-10, 'vanDerWaals': False,
+                   'silica.silica': {'vanDerWaals': True}}}, 'van der Waals force of walls'),
+    ({'forces/w': {'type': 'LennardJonesWall', 'hamaker': 0, 'sigma': 4e-10}}, "Hamaker constant of .*w is 0 J.*above 0"),
+    ({'forces/b': {'type': 'Born', 'hamaker': -1e-20, 'sigma': 4e-10}}, "Hamaker constant of .*b is -1e-20 J.*above 0"),
+    ({'forces/v/silica': {'hamaker': 1e-20}}, "'silica' .* names a material, but.*material.material"),
+    ({'forces/e/silica.silica': {'zeta': 0.01}}, "'silica.silica' .* names a pair, but.*Give one a material"),
+    ({'materials/glass': SOFT, 'forces/v/silica.glass': {'hamaker': 1e-20}, 'forces/v/glass.silica': {'hamaker': 2e-20}},
+     "'silica.glass' .* same pair as 'glass.silica'"),
+    ({'roughness': -1e-9}, "'roughness'.*-1e-09"),
+    ({'roughness': {'glass': 1e-9}}, 'glass.*Valid.*silica'),
+    ({'roughness': 5e-12}, "'roughness' .*5e-12 m, below 5 % of minGap"),
+    ({'roughness': 1e-9, 'minGap': 0, 'forces/v': {'type': 'hydration', 'energy': 5e-3, 'length': 6e-10},
+      'forces/e/type': 'linearSuperposition'}, "'roughness' .* minGap > 0"),
     ({'debye': 1e-8}, "debye"),
 ])
 def test_bad_input(tmp_path, changes, message):
     """One message each, with the remedy."""
     x, _ = two(1e-8, (1e-6, 1e-6))
     _, output = case_of(tmp_path, {'v': HAMAKER, 'e': CHARGED}, x, 1e-6, code=1,
-                        changes={'colloids/' + key: value for key, value in changes.items()})
+                        changes={key if key.startswith('materials') else 'colloids/' + key: value
+                                 for key, value in changes.items()})
     assert output.count('FOAM FATAL') == 1
     assert re.search(message, output.replace('\n', ' ')), output

@@ -6,6 +6,7 @@
 
 #include "Brownian.H"
 #include "addToRunTimeSelectionTable.H"
+#include "colloidConstants.H"
 #include "userEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -46,9 +47,7 @@ Foam::dew::forceSuSp Foam::dew::particleForces::Brownian::force
     const carrier& c
 ) const
 {
-    constexpr scalar kB = 1.380649e-23;
-
     forceSuSp f;
-    f.kT = kB*(T_ > 0 ? T_ : c.T);
+    f.kT = colloidConstants::boltzmann*(T_ > 0 ? T_ : c.T);
     return f;
 }

@@ -32,43 +32,20 @@ Foam::dew::colloidLaws::BornLaw::BornLaw
     const materials& mats
 )
 :
-    colloidLaw(dict, medium, mats),
-    laws_
+    DerjaguinLaw<BornRepulsion>
     (
-        perPair<BornRepulsion>
-        (
-            dict,
-            mats,
-            [&](const dictionary& d)
+        dict,
+        medium,
+        mats,
+        [&](const dictionary& d)
+        {
+            onlyThese(d, {"hamaker", "media", "sigma"});
+            return BornRepulsion
             {
-                onlyThese(d, {"hamaker", "media", "sigma"});
-                return BornRepulsion
-                {
-                    hamaker(d, medium),
-                    userEntry::positive(d, "sigma", dimLength),
-                    medium.minGap()
-                };
-            }
-        )
+                attraction(d, medium),
+                userEntry::positive(d, "sigma", dimLength),
+                medium.minGap()
+            };
+        }
     )
 {}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::dew::colloidForce Foam::dew::colloidLaws::BornLaw::pair
-(
-    int i, int j, double Ri, double Rj, double h
-) const
-{
-    return laws_[at(i, j)](h, DerjaguinRadius(Ri, Rj));
-}
-
-
-Foam::dew::colloidForce Foam::dew::colloidLaws::BornLaw::wall
-(
-    int i, int wall, double R, double h
-) const
-{
-    return laws_[at(i, wall)](h, R);
-}

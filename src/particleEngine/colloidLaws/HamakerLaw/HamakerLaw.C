@@ -32,7 +32,7 @@ Foam::dew::colloidLaws::HamakerLaw::HamakerLaw
     const materials& mats
 )
 :
-    colloidLaw(dict, medium, mats),
+    colloidLaw(dict, medium, mats, entriesOf::pairs),
     laws_
     (
         perPair<HamakerSpheres>

@@ -69,6 +69,50 @@ dictionary merged(const dictionary& dict, const wordList& parts)
     return result;
 }
 
+
+//- Refuse a sub-dictionary that would not be read
+void checkName
+(
+    const dictionary& dict,
+    const word& key,
+    const wordList& names,
+    const dew::entriesOf entries
+)
+{
+    const auto dot = key.find('.');
+    const bool pair = dot != word::npos;
+    const word one(key.substr(0, dot));
+    const word other(pair ? key.substr(dot + 1) : "");
+    const bool pairs = entries == dew::entriesOf::pairs;
+
+    std::string wrong;
+    if (!names.found(one) || (pair && !names.found(other)))
+    {
+        wrong = " names no material and no pair of materials";
+    }
+    else if (pair != pairs)
+    {
+        wrong =
+            pairs
+          ? " names a material, but these entries belong to a pair"
+          : " names a pair, but these entries belong to a material";
+    }
+    else if (pair && one != other && dict.found(other + '.' + one))
+    {
+        wrong = " is of the same pair as '" + other + '.' + one + "'";
+    }
+
+    if (!wrong.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Sub-dictionary '" << key << "' of " << dict.dictName()
+            << wrong.c_str() << nl << "Give one "
+            << (pairs ? "material.material a pair" : "a material")
+            << ", of the materials " << flatOutput(names)
+            << exit(FatalIOError);
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -94,7 +138,8 @@ Foam::dew::colloidLaw::colloidLaw
 (
     const dictionary& dict,
     const colloidMedium& medium,
-    const materials& mats
+    const materials& mats,
+    const entriesOf entries
 )
 :
     cutOff_(medium.cutOff()),
@@ -102,26 +147,9 @@ Foam::dew::colloidLaw::colloidLaw
 {
     for (const entry& e : dict)
     {
-        const word& key = e.keyword();
-        const auto dot = key.find('.');
-        if
-        (
-            e.isDict()
-         && (
-                !mats.names().found(key.substr(0, dot))
-             || (
-                    dot != word::npos
-                 && !mats.names().found(key.substr(dot + 1))
-                )
-            )
-        )
+        if (e.isDict())
         {
-            FatalIOErrorInFunction(dict)
-                << "Sub-dictionary '" << key << "' of " << dict.dictName()
-                << " names no material and no pair of materials" << nl
-                << "Valid names: material or material.material with the"
-                << " materials " << flatOutput(mats.names())
-                << exit(FatalIOError);
+            checkName(dict, e.keyword(), mats.names(), entries);
         }
     }
 }
@@ -182,15 +210,39 @@ Foam::scalar Foam::dew::colloidLaw::hamaker
     }
     if (!m[0] || !m[1] || !m[2])
     {
+        wordList known;
+        for (const HamakerMedium& medium : HamakerMedium::media())
+        {
+            known.append(medium.name);
+        }
         FatalIOErrorInFunction(dict)
             << "Entry 'media' in " << dict.dictName() << " is "
             << flatOutput(names) << nl
-            << "It takes three: one body, the liquid, the other body, of"
-            << " vacuum air water octane cyclohexane benzene acetone ethanol"
-            << " polystyrene PTFE silica mica alumina; for others give hamaker"
+            << "It takes three: one body, the liquid, the other body, of "
+            << flatOutput(known) << "; for others give hamaker"
             << exit(FatalIOError);
     }
     return HamakerConstant(*m[0], *m[2], *m[1], medium.T());
+}
+
+
+Foam::scalar Foam::dew::colloidLaw::attraction
+(
+    const dictionary& dict,
+    const colloidMedium& medium
+)
+{
+    const scalar A = hamaker(dict, medium);
+    if (A <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The Hamaker constant of " << dict.dictName() << " is " << A
+            << " J, but atoms that repel each other near contact attract each"
+            << " other further off" << nl
+            << "Give 'hamaker' above 0, 1e-21 to 1e-19 J is usual"
+            << exit(FatalIOError);
+    }
+    return A;
 }
 
 

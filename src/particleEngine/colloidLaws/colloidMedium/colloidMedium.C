@@ -30,7 +30,7 @@ Foam::dew::colloidMedium::colloidMedium(const dictionary& dict)
         dict,
         {
             "temperature", "permittivity", "valence", "ionicStrength",
-            "debyeLength", "minGap", "cutOff", "forces"
+            "debyeLength", "minGap", "cutOff", "roughness", "forces"
         }
     );
 

@@ -16,22 +16,9 @@ Foam::dew::colloidLaws::doubleLayerLaw::doubleLayerLaw
     const materials& mats
 )
 :
-    colloidLaw(dict, medium, mats)
+    colloidLaw(dict, medium, mats, entriesOf::materials)
 {
     medium.needIons(dict);
-
-    for (const entry& e : dict)
-    {
-        if (e.isDict() && e.keyword().find('.') != word::npos)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Sub-dictionary '" << e.keyword() << "' of "
-                << dict.dictName() << " is of a pair, but each material has"
-                << " its own potential" << nl
-                << "Use sub-dictionaries of materials"
-                << exit(FatalIOError);
-        }
-    }
 
     for (label i = 0; i < mats.size(); i++)
     {

@@ -32,42 +32,19 @@ Foam::dew::colloidLaws::hydrationLaw::hydrationLaw
     const materials& mats
 )
 :
-    colloidLaw(dict, medium, mats),
-    laws_
+    DerjaguinLaw<hydrationForce>
     (
-        perPair<hydrationForce>
-        (
-            dict,
-            mats,
-            [&](const dictionary& d)
+        dict,
+        medium,
+        mats,
+        [&](const dictionary& d)
+        {
+            onlyThese(d, {"energy", "length"});
+            return hydrationForce
             {
-                onlyThese(d, {"energy", "length"});
-                return hydrationForce
-                {
-                    userEntry::number(d, "energy", dimEnergy/dimArea),
-                    userEntry::positive(d, "length", dimLength)
-                };
-            }
-        )
+                userEntry::number(d, "energy", dimEnergy/dimArea),
+                userEntry::positive(d, "length", dimLength)
+            };
+        }
     )
 {}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::dew::colloidForce Foam::dew::colloidLaws::hydrationLaw::pair
-(
-    int i, int j, double Ri, double Rj, double h
-) const
-{
-    return laws_[at(i, j)](h, DerjaguinRadius(Ri, Rj));
-}
-
-
-Foam::dew::colloidForce Foam::dew::colloidLaws::hydrationLaw::wall
-(
-    int i, int wall, double R, double h
-) const
-{
-    return laws_[at(i, wall)](h, R);
-}

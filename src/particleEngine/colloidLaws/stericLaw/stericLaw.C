@@ -32,44 +32,21 @@ Foam::dew::colloidLaws::stericLaw::stericLaw
     const materials& mats
 )
 :
-    colloidLaw(dict, medium, mats),
-    laws_
+    DerjaguinLaw<stericRepulsion>
     (
-        perPair<stericRepulsion>
-        (
-            dict,
-            mats,
-            [&](const dictionary& d)
+        dict,
+        medium,
+        mats,
+        [&](const dictionary& d)
+        {
+            onlyThese(d, {"spacing", "thickness"});
+            return stericRepulsion
             {
-                onlyThese(d, {"spacing", "thickness"});
-                return stericRepulsion
-                {
-                    medium.kT(),
-                    userEntry::positive(d, "spacing", dimLength),
-                    userEntry::positive(d, "thickness", dimLength),
-                    medium.minGap()
-                };
-            }
-        )
+                medium.kT(),
+                userEntry::positive(d, "spacing", dimLength),
+                userEntry::positive(d, "thickness", dimLength),
+                medium.minGap()
+            };
+        }
     )
 {}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::dew::colloidForce Foam::dew::colloidLaws::stericLaw::pair
-(
-    int i, int j, double Ri, double Rj, double h
-) const
-{
-    return laws_[at(i, j)](h, DerjaguinRadius(Ri, Rj));
-}
-
-
-Foam::dew::colloidForce Foam::dew::colloidLaws::stericLaw::wall
-(
-    int i, int wall, double R, double h
-) const
-{
-    return laws_[at(i, wall)](h, R);
-}

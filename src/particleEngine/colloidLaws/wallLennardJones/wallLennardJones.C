@@ -32,7 +32,7 @@ Foam::dew::colloidLaws::wallLennardJones::wallLennardJones
     const materials& mats
 )
 :
-    colloidLaw(dict, medium, mats),
+    colloidLaw(dict, medium, mats, entriesOf::pairs),
     laws_
     (
         perPair<LennardJonesWall>
@@ -44,10 +44,10 @@ Foam::dew::colloidLaws::wallLennardJones::wallLennardJones
                 onlyThese(d, {"hamaker", "media", "sigma", "vanDerWaals"});
                 return LennardJonesWall
                 {
-                    hamaker(d, medium),
+                    attraction(d, medium),
                     userEntry::positive(d, "sigma", dimLength),
                     medium.minGap(),
-                    dict.getOrDefault<Switch>("vanDerWaals", true)
+                    d.getOrDefault<Switch>("vanDerWaals", true)
                 };
             }
         )
@@ -72,4 +72,17 @@ Foam::dew::colloidForce Foam::dew::colloidLaws::wallLennardJones::wall
 ) const
 {
     return laws_[at(i, wall)](h, R);
+}
+
+
+bool Foam::dew::colloidLaws::wallLennardJones::wallVanDerWaals() const
+{
+    for (const LennardJonesWall& law : laws_)
+    {
+        if (law.vanDerWaals)
+        {
+            return true;
+        }
+    }
+    return false;
 }
