@@ -21,9 +21,8 @@ Description
     a, g    largest conservative force and friction of each pair of types
 
     Velocity Verlet with the velocity at the half sub-step, and the sum of all
-    pairs: the temperature is right to first order in the sub-step, 0.5 % too
-    high at 0.01 (m rc^2/kT)^1/2 and 1 % at twice that, in the fluid of Groot and
-    Warren. Exact steps of one pair after another (pairThermostat) have no such
+    pairs: the temperature is too high in proportion to the sub-step, 0.4 % at
+    0.01 (m rc^2/kT)^1/2 and 1 % at twice that in the fluid of Groot and Warren. Exact steps of one pair after another (pairThermostat) have no such
     error, but need an order of the pairs, and ranks could not agree on one
     without waiting for each other.
 

@@ -218,7 +218,7 @@ def test_moving_with_the_observer(tmp_path):
 
 @pytest.mark.parametrize('factor', [1, 3])
 def test_temperature(tmp_path, factor):
-    """Of 729 particles over 80 tau (for a friction three times as high 27 tau), a tenth of the limit a sub-step: 0.5 % of the
+    """Of 729 particles over 80 tau (for a friction three times as high 27 tau), a tenth of the limit a sub-step: 0.5 % by the
     sub-step and three standard errors of 0.35 %, energies being independent some 0.8 tau apart."""
     x, v = fluid()
     _, output = case_of(tmp_path, x, v, n_sub=20, n_out=400, dt=DT / 2 / factor,
