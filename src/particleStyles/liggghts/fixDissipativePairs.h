@@ -22,9 +22,10 @@ Description
 
     Velocity Verlet with the velocity at the half sub-step, and the sum of all
     pairs: the temperature is too high in proportion to the sub-step, 0.4 % at
-    0.01 (m rc^2/kT)^1/2 and 1 % at twice that in the fluid of Groot and Warren. Exact steps of one pair after another (pairThermostat) have no such
-    error, but need an order of the pairs, and ranks could not agree on one
-    without waiting for each other.
+    0.01 (m rc^2/kT)^1/2 and 1 % at twice that in the fluid of Groot and Warren.
+    Exact steps of one pair after another (pairThermostat) have no such error,
+    but need an order of the pairs, and ranks could not agree on one without
+    waiting for each other.
 
     The engine passes a particle on to ranks within half of its cut-off and a
     radius, which is all that contacts need; extend_cut_ghost() asks for rc.
