@@ -7,6 +7,7 @@
 #include "registerStyles.h"
 #include "fixColloidPairs.h"
 #include "fixConduction.h"
+#include "fixDissipativePairs.h"
 #include "fixGravity.h"
 #include "fixIntegrate.h"
 #include "fixListReach.h"
@@ -57,5 +58,6 @@ void Foam::dew::registerStyles(LAMMPS* lmp)
     fixes["dew/listReach"] = &makeFix<fixListReach>;
     fixes["dew/lubrication"] = &makeFix<fixLubrication>;
     fixes["dew/colloidPairs"] = &makeFix<fixColloidPairs>;
+    fixes["dew/dissipativePairs"] = &makeFix<fixDissipativePairs>;
     fixes["dew/conduction"] = &makeFix<fixConduction>;
 }

@@ -6,6 +6,7 @@
 
 #include "liggghtsEmbedded.h"
 #include "fixColloidPairs.h"
+#include "fixDissipativePairs.h"
 #include "fixGravity.h"
 #include "registerStyles.h"
 
@@ -392,7 +393,14 @@ void Foam::dew::liggghtsEmbedded::colloids(const pairInteraction& laws)
 
 double Foam::dew::liggghtsEmbedded::colloidEnergy() const
 {
-    return colloids_ ? colloids_->energy() : 0;
+    const auto* dissipative = dynamic_cast<const fixDissipativePairs*>
+    (
+        lmp_->modify->find_fix_style("dew/dissipativePairs", 0)
+    );
+
+    return
+        (colloids_ ? colloids_->energy() : 0)
+      + (dissipative ? dissipative->energy()*units_.force()*units_.length : 0);
 }
 
 

@@ -614,6 +614,21 @@ void Foam::dew::liggghtsCommands::colloids()
 }
 
 
+void Foam::dew::liggghtsCommands::dissipative
+(
+    const dissipativeForces& forces,
+    const label seed,
+    const scalar R
+)
+{
+    add
+    (
+        "fix dissipative all dew/dissipativePairs " + std::to_string(seed)
+      + ' ' + forces.engineArguments(units_, R)
+    );
+}
+
+
 void Foam::dew::liggghtsCommands::lubrication(const lubricationProperties& l)
 {
     if (l.on())

@@ -165,8 +165,32 @@ void Foam::dew::liggghtsEngine::readColloids()
 }
 
 
+void Foam::dew::liggghtsEngine::readDissipative()
+{
+    if (dict_.found("dissipative"))
+    {
+        dissipative_.reset
+        (
+            new dissipativeForces
+            (
+                userEntry::subDict(dict_, "dissipative"), materials_(), box_
+            )
+        );
+    }
+}
+
+
 void Foam::dew::liggghtsEngine::checkPairLaws() const
 {
+    if (dict_.found("dissipative") && state_.overdamped)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'dissipative' and dynamics of type overdamped exclude"
+            << " each other: its friction and noise act on velocities, which"
+            << " are those of inertia" << nl
+            << "Remove one of them"
+            << exit(FatalIOError);
+    }
     if (dict_.found("conduction") && !heat_)
     {
         FatalIOErrorInFunction(dict_)
@@ -230,11 +254,26 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
         wanted = min(wanted, commands.timeStep(i, Rmin, fraction));
     }
 
-    word cause("contacts");
+    string cause("contacts");
     if (colloids_)
     {
         const scalar limit = colloids_->stableTimeStep(Rmin, viscosity_);
-        cause = limit < stable ? "colloidal forces" : cause;
+        cause = limit < stable ? string("colloidal forces") : cause;
+        stable = min(stable, limit);
+        wanted = min(wanted, fraction*limit);
+    }
+
+    if (dissipative_)
+    {
+        const scalar friction = dissipative_->frictionTime(Rmin);
+        const scalar limit = min(friction, dissipative_->stiffnessTime(Rmin));
+        if (limit < stable)
+        {
+            cause =
+                limit == friction
+              ? "friction of dissipative pairs, mu/gamma,"
+              : "conservative force of dissipative pairs, 2 sqrt(mu rc/a),";
+        }
         stable = min(stable, limit);
         wanted = min(wanted, fraction*limit);
     }
@@ -281,7 +320,7 @@ void Foam::dew::liggghtsEngine::chooseTimeStep(const liggghtsCommands& commands)
     {
         FatalIOErrorInFunction(dict_)
             << "The sub-step " << deltaT_ << " s is above the stability limit "
-            << stable << " s of the " << cause << " (smallest radius "
+            << stable << " s of the " << cause.c_str() << " (smallest radius "
             << Rmin << " m)" << nl
             << "Lower timeStep.deltaT (or fraction, now " << fraction
             << "; recommended " << usual << ": " << wanted*usual/fraction

@@ -76,7 +76,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             "materials", "contacts", "walls", "insertion", "timeStep", "skin",
             "processors", "commands", "input", "library", "frameAcceleration",
             "coupling", "output", "dynamics", "conduction", "lubrication",
-            "fluid", "colloids"
+            "fluid", "colloids", "dissipative"
         }
     );
 
@@ -93,7 +93,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             ({
                 "materials", "contacts", "walls", "insertion", "skin",
                 "processors", "frameAcceleration", "heat", "conduction",
-                "lubrication", "colloids"
+                "lubrication", "colloids", "dissipative"
             })
         )
         {
@@ -137,6 +137,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
         }
 
         readColloids();
+        readDissipative();
 
         liggghtsCommands commands
         (
@@ -351,6 +352,10 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
 
     scalar skin =
         0.5*maxDiameter_*userEntry::positiveOr(dict_, "skin", dimless, 0.3);
+    if (dissipative_ && !dict_.found("skin"))
+    {
+        skin = max(skin, dissipative_->skin());
+    }
     const lubricationProperties lubrication
     (
         dict_, smallestRadius(), 0.5*maxDiameter_
@@ -409,6 +414,10 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
     if (colloids_)
     {
         commands.colloids();
+    }
+    if (dissipative_)
+    {
+        commands.dissipative(dissipative_(), seed_, smallestRadius());
     }
     commands.end(deltaT_);
 
