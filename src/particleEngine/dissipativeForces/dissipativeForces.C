@@ -177,8 +177,7 @@ Foam::scalar Foam::dew::dissipativeForces::stiffnessTime(const scalar R) const
 
 std::string Foam::dew::dissipativeForces::engineArguments
 (
-    const engineUnits& units,
-    const scalar R
+    const engineUnits& units
 ) const
 {
     const scalar energy = units.force()*units.length;
@@ -186,8 +185,7 @@ std::string Foam::dew::dissipativeForces::engineArguments
 
     std::string line
     (
-        engineText(max(scalar(1), 0.5*range_/R)) + ' '
-      + engineText(range_/units.length) + ' ' + engineText(exponent_) + ' '
+        engineText(range_/units.length) + ' ' + engineText(exponent_) + ' '
       + engineText(colloidConstants::boltzmann*T_/energy)
     );
     forAll(a_, p)

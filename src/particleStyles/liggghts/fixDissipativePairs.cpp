@@ -18,7 +18,6 @@
 #include "force.h"
 #include "modify.h"
 #include "neigh_list.h"
-#include "neighbor.h"
 #include "pair_gran.h"
 #include "update.h"
 
@@ -41,23 +40,22 @@ Foam::dew::fixDissipativePairs::fixDissipativePairs
     integrate_(nullptr),
     energy_(0)
 {
-    const int nCommon = 8;
+    const int nCommon = 7;
     const int nPairs = atom->ntypes*atom->ntypes;
     if (narg != nCommon + 2*nPairs)
     {
         error->fix_error
         (
             FLERR, this,
-            "takes seed, reach, range, exponent, kT, and two values of each"
+            "takes seed, range, exponent, kT, and two values of each"
             " pair of types"
         );
     }
 
     seed_ = std::strtoull(arg[3], nullptr, 10);
-    neighbor->register_contact_dist_factor(std::atof(arg[4]));
-    range_ = std::atof(arg[5]);
-    s_ = std::atof(arg[6]);
-    kT_ = std::atof(arg[7]);
+    range_ = std::atof(arg[4]);
+    s_ = std::atof(arg[5]);
+    kT_ = std::atof(arg[6]);
     for (int p = 0; p < nPairs; p++)
     {
         a_.push_back(std::atof(arg[nCommon + 2*p]));

@@ -8,14 +8,12 @@ Class
     Foam::dew::fixDissipativePairs
 
 Description
-    fix ID all dew/dissipativePairs seed reach range s kT a11 g11 a12 g12 ...
+    fix ID all dew/dissipativePairs seed range s kT a11 g11 a12 g12 ...
 
     Dissipative particle dynamics (dissipativeParticle.H): conservative,
     dissipative and random force along the line of centres, between particles.
 
     seed    of the noise
-    reach   contact distance that the engine's lists must have, over the sum of
-            radii
     range   of the forces rc
     s, kT   exponent of the weight, thermal energy
     a, g    largest conservative force and friction of each pair of types
@@ -27,8 +25,7 @@ Description
     but need an order of the pairs, and ranks could not agree on one without
     waiting for each other.
 
-    The engine passes a particle on to ranks within half of its cut-off and a
-    radius, which is all that contacts need; extend_cut_ghost() asks for rc.
+    The engine's lists must reach as far as rc (fixListReach).
 
     A pair across a boundary of ranks is computed on both, each for its own
     particle; its number is that of particles and sub-step, its energy counts
@@ -85,7 +82,6 @@ public:
     void init() override;
     void setup(int) override { post_force(0); }
     void post_force(int) override;
-    double extend_cut_ghost() override { return 2*range_; }
 };
 
 } // End namespace dew

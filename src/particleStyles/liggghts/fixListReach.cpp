@@ -22,15 +22,19 @@ using namespace LAMMPS_NS;
 Foam::dew::fixListReach::fixListReach(LAMMPS* lmp, int narg, char** arg)
 :
     Fix(lmp, narg, arg),
-    margin_(narg == 5 ? std::atof(arg[3]) : 0),
+    reach_(narg == 6 ? std::atof(arg[3]) : 0),
+    margin_(narg == 6 ? std::atof(arg[4]) : 0),
     touch_(1),
     wide_(1)
 {
     if (margin_ <= 0)
     {
-        error->fix_error(FLERR, this, "takes the margin, > 0, and a factor");
+        error->fix_error
+        (
+            FLERR, this, "takes the reach, a margin > 0, and a factor"
+        );
     }
-    neighbor->register_contact_dist_factor(std::atof(arg[4]));
+    neighbor->register_contact_dist_factor(std::atof(arg[5]));
     force_reneighbor = 1;
     next_reneighbor = -1;
 }

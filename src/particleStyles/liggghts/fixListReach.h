@@ -8,7 +8,7 @@ Class
     Foam::dew::fixListReach
 
 Description
-    fix ID all dew/listReach margin factor
+    fix ID all dew/listReach reach margin factor
 
     Has the engine build its lists as soon as a particle has moved by the
     margin. The engine itself waits until one has moved by half of the skin:
@@ -23,6 +23,11 @@ Description
     pairs and lists as well and makes them dear: those get that of touch. To be
     made before the walls.
 
+    The engine passes a particle on to ranks within a radius and half of what
+    the lists hold, which is all that contacts need; extend_cut_ghost() asks
+    for the whole.
+
+    reach    largest gap between particles that laws need, engine units
     margin   way of a particle from one build to the next, engine units
     factor   contact distance of walls over the radius, 1 without
 
@@ -46,7 +51,7 @@ class fixListReach
 :
     public LAMMPS_NS::Fix
 {
-    const double margin_;
+    const double reach_, margin_;
 
     //- Contact distance factor of pairs and lists, and of walls
     double touch_, wide_;
@@ -67,6 +72,7 @@ public:
     void pre_force(int) override;
     void setup(int) override { post_force(0); }
     void post_force(int) override;
+    double extend_cut_ghost() override { return reach_ + 2*margin_; }
 };
 
 } // End namespace dew

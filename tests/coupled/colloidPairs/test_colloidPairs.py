@@ -188,20 +188,24 @@ def test_three_of_unequal_size(tmp_path):
     assert np.abs(F.sum(axis=0)).max() < 1e-12 * np.abs(F).max()
 
 
+@pytest.mark.parametrize('h, shift', [(1e-9, 0), (5.5e-8, 4.9e-7)], ids=['near', 'far'])
 @pytest.mark.parametrize('ranks, cyclic', [(2, ''), (1, 'x'), (2, 'x')])
-def test_pair_across_a_boundary(tmp_path, ranks, cyclic):
-    """Between ranks and across a cyclic side as within one: 1e-9 for round-off of positions over the gap."""
-    x, _ = two(1e-9, (1e-6, 1e-6), (1, 0, 0))
+def test_pair_across_a_boundary(tmp_path, ranks, cyclic, h, shift):
+    """Between ranks and across a cyclic side as within one, also with one of them on the boundary and the other as far away
+    as the forces reach: 1e-9 for round-off of positions over the gap."""
+    x, _ = two(h, (1e-6, 1e-6), (1, 0, 0))
+    x[:, 0] += shift
     if cyclic:
         x += np.array([2e-5, 0, 0])
         x[1, 0] -= 4e-5
     case, output = case_of(tmp_path, {'v': HAMAKER, 'e': CHARGED}, x, 1e-6, ranks=ranks, cyclic=cyclic)
-    F, expected = forces_on(case), total(1e-9, 5e-7, 5e-7)
+    gap = (x[1, 0] - x[0, 0]) % 4e-5 - 1e-6
+    F, expected = forces_on(case), total(gap, 5e-7, 5e-7)
     assert np.abs(F[:, 0] / expected - [-1, 1]).max() < 1e-6
     assert np.abs(F.sum(axis=0)).max() < 1e-9 * abs(expected)
     energy = float(re.search(r'energies \S+ (\S+)', output).group(1))
-    phi = KAPPA * 1e-9
-    U = (float(hamaker_U(1e-9, 5e-7, 5e-7)) + 2 * np.pi * EPS * 2.5e-7 * PSI**2 * 2 * np.log1p(np.exp(-phi)) / 1)
+    phi = KAPPA * gap
+    U = float(hamaker_U(gap, 5e-7, 5e-7)) + 2 * np.pi * EPS * 2.5e-7 * PSI**2 * 2 * np.log1p(np.exp(-phi))
     assert abs(energy / U - 1) < 1e-6
 
 

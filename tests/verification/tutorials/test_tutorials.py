@@ -31,6 +31,9 @@ def fresh(path, name):
 
 @pytest.mark.parametrize('name', ['demFoam/collisions', 'demFoam/brownianDiffusion', 'demFoam/dlvoPair',
                                   pytest.param('demFoam/dissipativeParticles', marks=pytest.mark.slow),
+                                  pytest.param('demFoam/sedimentationEquilibrium', marks=pytest.mark.slow),
+                                  pytest.param('demFoam/stabilityRatio', marks=pytest.mark.slow),
+                                  pytest.param('demFoam/fractalAggregation', marks=pytest.mark.slow),
                                   pytest.param('demFoam/packing', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/Goldschmidt', marks=pytest.mark.slow),
@@ -96,6 +99,27 @@ def test_validate_notices_a_wrong_restitution(tmp_path):
     assert 'restitution     0.75' in text
     path.write_text(text.replace('restitution     0.75', 'restitution     0.70'))
     done = run_command(['./Allrun', '20um'], case, 300)
+    assert done.code == 0, done.output[-3000:]
+    done = run_command(['./validate'], case, 120)
+    assert done.code != 0 and 'FAIL' in done.output.splitlines()[-1]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('name, file, right, wrong, only', [
+    # Spheres heavier by 6 %, of what the water leaves
+    ('sedimentationEquilibrium', 'common/constant/particleProperties', 'density         2000', 'density         2060', ''),
+    # Charges that reach further
+    ('stabilityRatio', 'common/constant/particleProperties', 'debyeLength     20e-9', 'debyeLength     24e-9', '2kT'),
+    # Diffusion faster by a fifth
+    ('fractalAggregation', 'common/constant/particleProperties', 'temperature     298.15;\n}', 'temperature     360;\n}', '1')],
+    ids=['sedimentationEquilibrium', 'stabilityRatio', 'fractalAggregation'])
+def test_validate_notices_a_wrong_colloid(tmp_path, name, file, right, wrong, only):
+    case = fresh(tmp_path / 'case', f'demFoam/{name}')
+    path = case / file
+    text = path.read_text()
+    assert right in text
+    path.write_text(text.replace(right, wrong))
+    done = run_command(['./Allrun', *only.split()], case, 900)
     assert done.code == 0, done.output[-3000:]
     done = run_command(['./validate'], case, 120)
     assert done.code != 0 and 'FAIL' in done.output.splitlines()[-1]

@@ -596,6 +596,7 @@ void Foam::dew::liggghtsCommands::conduction
 
 void Foam::dew::liggghtsCommands::listReach
 (
+    const scalar reach,
     const scalar margin,
     const scalar factor
 )
@@ -603,6 +604,7 @@ void Foam::dew::liggghtsCommands::listReach
     add
     (
         "fix listReach all dew/listReach "
+      + engineText(reach/units_.length) + ' '
       + engineText(margin/units_.length) + ' ' + engineText(factor)
     );
 }
@@ -617,14 +619,13 @@ void Foam::dew::liggghtsCommands::colloids()
 void Foam::dew::liggghtsCommands::dissipative
 (
     const dissipativeForces& forces,
-    const label seed,
-    const scalar R
+    const label seed
 )
 {
     add
     (
         "fix dissipative all dew/dissipativePairs " + std::to_string(seed)
-      + ' ' + forces.engineArguments(units_, R)
+      + ' ' + forces.engineArguments(units_)
     );
 }
 

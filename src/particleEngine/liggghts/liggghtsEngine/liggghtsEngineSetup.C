@@ -365,20 +365,31 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
         // The lists of flat walls reach as far as half of it, and no further
         skin = max(skin, 2.2*lubrication.maxGap());
     }
-    // Lists that hold all gaps up to the cut-off between two builds
-    const scalar reach = colloids_ ? colloids_->cutOff() : 0;
-    const scalar margin = 0.5*max(skin, reach);
+    // Lists that hold all gaps which laws need between two builds
+    const scalar narrow = lubrication.on() ? lubrication.maxGap() : 0;
+    scalar pairs = 0, atWalls = 0;
     if (colloids_)
     {
-        skin = (walls.empty() ? 1 : 2)*reach + 2*margin;
+        pairs = atWalls = max(colloids_->cutOff(), narrow);
+    }
+    if (dissipative_)
+    {
+        const scalar open = dissipative_->range() - 2*smallestRadius();
+        pairs = max(pairs, max(open, narrow));
+    }
+    if (walls.empty())
+    {
+        atWalls = 0;
+    }
+    const scalar margin = 0.5*max(skin, colloids_ ? pairs : 0);
+    if (pairs > 0)
+    {
+        skin = max(pairs + 2*margin, 2*(atWalls + margin));
     }
     commands.contact(skin);
-    if (colloids_)
+    if (pairs > 0)
     {
-        commands.listReach
-        (
-            margin, walls.empty() ? 1 : 1 + 1.01*reach/smallestRadius()
-        );
+        commands.listReach(pairs, margin, 1 + 1.01*atWalls/smallestRadius());
     }
 
     const fileName path(mesh_.time().globalPath()/folder);
@@ -417,7 +428,7 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
     }
     if (dissipative_)
     {
-        commands.dissipative(dissipative_(), seed_, smallestRadius());
+        commands.dissipative(dissipative_(), seed_);
     }
     commands.end(deltaT_);
 
