@@ -316,6 +316,68 @@ def test_restart_goes_on_exactly(tmp_path):
     assert np.array_equal(vectors(rows_of(whole), names), vectors(rows_of(half), names))
 
 
+# --- Ranks
+
+def suspension(path, d, dynamics, ranks=1, **control):
+    """216 Brownian colloids with gaps of 14 nm on over a wall, 100 sub-steps in 10 intervals."""
+    rng = np.random.default_rng(3)
+    spacing = d + 3e-8
+    x = spacing * (np.array(list(np.ndindex(6, 6, 6))) - 2.5) + rng.uniform(-8e-9, 8e-9, (216, 3))
+    case = case_of(path, {'v': HAMAKER, 'e': CHARGED}, x, d, dt=2e-10 if d < 1e-7 else 5e-8, n_sub=10, n_out=10, run=False,
+                   width=8 * spacing, changes={'colloids/minGap': 1e-9, 'dynamics': dynamics}, walls={'floor': {
+                       'type': 'plane', 'point': (0, 0, float(x[:, 2].min() - d/2 - 1e-8)), 'normal': (0, 0, 1),
+                       'material': 'silica'}})
+    case.cells = (4, 2, 2)
+    case.control.update(control)
+    case.mesh()
+    case.write_file('constant/testProperties', foam_dict(
+        {'Sp': 3 * np.pi * 1e-3 * d, 'U': (0, 0, 0), 'kT': K * T}) + '\n')
+    if ranks > 1:
+        case.decompose(ranks)
+    return case
+
+
+def at_end(case, ranks=1):
+    done = case.run('testEngine', ranks=ranks, timeout=120)
+    assert done.code == 0, done.output
+    return vectors(rows_of(case), 'x y z')
+
+
+CROWDS = pytest.mark.parametrize('dynamics', [{'seed': 7}, {'type': 'overdamped', 'viscosity': 1e-3, 'seed': 7}],
+                                 ids=['inertial', 'overdamped'])
+
+
+@CROWDS
+@pytest.mark.parametrize('d', [5e-8, 1e-5])
+def test_suspension_on_ranks_and_after_a_restart(tmp_path, d, dynamics):
+    """1, 2 and 4 ranks: the same to 1e-9 radii, so the same noise; a restart half-way bit by bit, and on two ranks to
+    1e-9 radii. Forces and noise move all by more than 1e-6 radii."""
+    case = suspension(tmp_path / '1', d, dynamics)
+    whole = at_end(case)
+    start = np.genfromtxt(case.path / 'constant/particles.csv', delimiter=',', names=True)
+    assert np.median(np.abs(whole - vectors(start, 'x y z'))) > 1e-6 * d / 2
+    for ranks in (2, 4):
+        assert np.abs(at_end(suspension(tmp_path / str(ranks), d, dynamics, ranks), ranks) - whole).max() < 1e-9 * d / 2
+
+    half = suspension(tmp_path / 'half', d, dynamics, writeInterval=5)
+    end = half.control['endTime']
+    half.control['endTime'] = end / 2
+    half.write()
+    at_end(half)
+    half.control['endTime'] = end
+    half.write()
+    other = half.copy(tmp_path / 'other')
+    assert np.array_equal(at_end(half), whole)
+    other.decompose(2)
+    for rank in range(2):
+        source = other.path / other.times()[-1]
+        target = other.path / f'processor{rank}' / source.name / 'uniform'
+        if not target.exists():
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.symlink_to(source / 'uniform')
+    assert np.abs(at_end(other, 2) - whole).max() < 1e-9 * d / 2
+
+
 # --- Rough surfaces
 
 def dlvo(a, b=None):
