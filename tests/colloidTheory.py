@@ -71,6 +71,38 @@ def barometric_mean(length, height):
     return length - height / np.expm1(height / length)
 
 
+# --- Forces at a gap h of spheres of radii a and b, or of a sphere and a wall (b None)
+
+def derjaguin(a, b=None):
+    return a if b is None else a * b / (a + b)
+
+
+def hamaker(h, A, a, b=None):
+    """F and U of H.C. Hamaker, Physica 4 (1937) 1058-1072, F by differentiation; in double precision for h > 1e-4 a."""
+    if b is None:
+        return (-A / 6 * (a / h**2 + a / (h + 2*a)**2 - 1 / h + 1 / (h + 2*a)),
+                -A / 6 * (a / h + a / (h + 2*a) + np.log(h / (h + 2*a))))
+    r, p, q = h + a + b, h * (h + 2*a + 2*b), (h + 2*a) * (h + 2*b)
+    return (A / 6 * (-4*a*b*r * (1 / p**2 + 1 / q**2) + 2*r * (1 / p - 1 / q)),
+            -A / 6 * (2*a*b / p + 2*a*b / q + np.log(p / q)))
+
+
+def constant_potential(h, eps, kappa, psi, a, b=None):
+    """F and U of two surfaces at the same potential: R. Hogg, T.W. Healy, D.W. Fuerstenau, Trans. Faraday Soc. 62 (1966)
+    1638-1651."""
+    x, scale = np.exp(-kappa * h), 4 * np.pi * eps * derjaguin(a, b) * psi**2
+    return scale * kappa * x / (1 + x), scale * np.log1p(x)
+
+
+def over_heights(law, x, s, least):
+    """F and U of a law(h), held below a least gap, averaged over a Gaussian of heights of standard deviation s, by
+    trapezia over 10 s on each side; the kink is a point of them."""
+    h = np.sort(np.append(np.linspace(x - 10*s, x + 10*s, 20001), least))
+    F, U = law(np.maximum(h, least))
+    share = np.exp(-((h - x) / s)**2 / 2) / (s * np.sqrt(2*np.pi))
+    return tuple(float(np.trapz(share * y, h)) for y in (F, U + F * np.maximum(least - h, 0)))
+
+
 # --- Motion
 
 def brenner_mobility(gap):

@@ -7,6 +7,7 @@ import mpmath
 import numpy as np
 import pytest
 
+import colloidTheory
 from dewCase import Case, changed, foam_dict, quoted
 
 K, E, NA, EPS0 = 1.380649e-23, 1.602176634e-19, 6.02214076e23, 8.8541878128e-12
@@ -347,69 +348,107 @@ def test_restart_goes_on_exactly(tmp_path):
     assert np.array_equal(vectors(rows_of(whole), names), vectors(rows_of(half), names))
 
 
+# --- Ranks
+
+def suspension(path, d, dynamics, ranks=1, **control):
+    """216 Brownian colloids with gaps of 14 nm on over a wall, 100 sub-steps in 10 intervals."""
+    rng = np.random.default_rng(3)
+    spacing = d + 3e-8
+    x = spacing * (np.array(list(np.ndindex(6, 6, 6))) - 2.5) + rng.uniform(-8e-9, 8e-9, (216, 3))
+    case = case_of(path, {'v': HAMAKER, 'e': CHARGED}, x, d, dt=2e-10 if d < 1e-7 else 5e-8, n_sub=10, n_out=10, run=False,
+                   width=8 * spacing, changes={'colloids/minGap': 1e-9, 'dynamics': dynamics}, walls={'floor': {
+                       'type': 'plane', 'point': (0, 0, float(x[:, 2].min() - d/2 - 1e-8)), 'normal': (0, 0, 1),
+                       'material': 'silica'}})
+    case.cells = (4, 2, 2)
+    case.control.update(control)
+    case.mesh()
+    case.write_file('constant/testProperties', foam_dict(
+        {'Sp': 3 * np.pi * 1e-3 * d, 'U': (0, 0, 0), 'kT': K * T}) + '\n')
+    if ranks > 1:
+        case.decompose(ranks)
+    return case
+
+
+def at_end(case, ranks=1):
+    done = case.run('testEngine', ranks=ranks, timeout=120)
+    assert done.code == 0, done.output
+    return vectors(rows_of(case), 'x y z')
+
+
+CROWDS = pytest.mark.parametrize('dynamics', [{'seed': 7}, {'type': 'overdamped', 'viscosity': 1e-3, 'seed': 7}],
+                                 ids=['inertial', 'overdamped'])
+
+
+@CROWDS
+@pytest.mark.parametrize('d', [5e-8, 1e-5])
+def test_suspension_on_ranks_and_after_a_restart(tmp_path, d, dynamics):
+    """1, 2 and 4 ranks: the same to 1e-9 radii, so the same noise; a restart half-way bit by bit, and on two ranks to
+    1e-9 radii. Forces and noise move all by more than 1e-6 radii."""
+    case = suspension(tmp_path / '1', d, dynamics)
+    whole = at_end(case)
+    start = np.genfromtxt(case.path / 'constant/particles.csv', delimiter=',', names=True)
+    assert np.median(np.abs(whole - vectors(start, 'x y z'))) > 1e-6 * d / 2
+    for ranks in (2, 4):
+        assert np.abs(at_end(suspension(tmp_path / str(ranks), d, dynamics, ranks), ranks) - whole).max() < 1e-9 * d / 2
+
+    half = suspension(tmp_path / 'half', d, dynamics, writeInterval=5)
+    end = half.control['endTime']
+    half.control['endTime'] = end / 2
+    half.write()
+    at_end(half)
+    half.control['endTime'] = end
+    half.write()
+    other = half.copy(tmp_path / 'other')
+    assert np.array_equal(at_end(half), whole)
+    other.decompose(2)
+    for rank in range(2):
+        source = other.path / other.times()[-1]
+        target = other.path / f'processor{rank}' / source.name / 'uniform'
+        if not target.exists():
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.symlink_to(source / 'uniform')
+    assert np.abs(at_end(other, 2) - whole).max() < 1e-9 * d / 2
+
+
 # --- Rough surfaces
 
-def over_heights(F, x, s):
-    """Average over a Gaussian of heights, by trapezia: the peak is whole within 10 s, and F held at MIN_GAP below it."""
-    h = np.linspace(x - 10*s, x + 10*s, 20001)
-    h = np.sort(np.append(h, MIN_GAP))
-    values = np.interp(h, (held := np.concatenate(([MIN_GAP], h[h > MIN_GAP]))), [F(g) for g in held])
-    return float(np.trapz(values * np.exp(-((h - x) / s)**2 / 2), h)) / (s * np.sqrt(2*np.pi))
-
-
-def rough_total(h, a, b=None):
-    """Van der Waals and double layer, the former in closed form (Hamaker's, differentiated)."""
-    if b is None:
-        H = -A / 6 * (a / h**2 + a / (h + 2*a)**2 - 1 / h + 1 / (h + 2*a))
-    else:
-        r = h + a + b
-        p, q = h * (h + 2*a + 2*b), (h + 2*a) * (h + 2*b)
-        H = A / 6 * (-4*a*b*r * (1 / p**2 + 1 / q**2) + 2*r * (1 / p - 1 / q))
-    return H + constant_potential(h, a, b)
+def dlvo(a, b=None):
+    """F and U of van der Waals and double layer over a gap."""
+    return lambda h: tuple(v + e for v, e in zip(
+        colloidTheory.hamaker(h, A, a, b), colloidTheory.constant_potential(h, EPS, KAPPA, PSI, a, b)))
 
 
 @pytest.mark.parametrize('d', [(5e-8, 5e-8), (1e-6, 1e-6), (2e-7, 1e-6)])
 def test_rough_surfaces(tmp_path, d):
-    """F of pairs and at a wall averaged over heights of s^2 = s1^2 + s2^2, of one size and of two, 1e-4; below the least
-    gap held at that of the least gap; energy as the force's integral."""
+    """F of pairs and at a wall averaged over heights of s^2 = s1^2 + s2^2, of one size and of two, and below the least gap
+    that of the least gap; all of the energy; 1e-4, for the table of sizes."""
     s1, s2 = 6e-10, 8e-10
     gaps = [1.5e-10, 1e-9, 4e-9, 3e-8]
     pairs = [two(h, d) for h in gaps]
     # Apart from each other and from the wall, and two at the wall
     places = [x + np.array([0, 4 * max(d) * (k - 1.5), 8 * max(d)]) for k, (x, _) in enumerate(pairs)]
     z = 2**-20
-    at_wall = np.array([[0, (8 + k) * max(d), d[k] / 2 + 3e-9 - z] for k in range(2)])
+    at_wall = np.array([[0, (8 + 3*k) * max(d), d[k] / 2 + 3e-9 - z] for k in range(2)])
     case, output = case_of(
         tmp_path, {'v': HAMAKER, 'e': CHARGED}, np.vstack([*places, at_wall]), d * (len(gaps) + 1), width=4e-5,
         walls={'floor': {'type': 'plane', 'point': (0, 0, -z), 'normal': (0, 0, 1), 'material': 'glass'}},
         changes={'materials/glass': SOFT, 'colloids/roughness': {'silica': s1, 'glass': s2}})
-    F = forces_on(case)
-    energy = 0
+    F, energy, terms = forces_on(case), 0, 0
     for k, x in enumerate(places):
         r = x[1] - x[0]
-        h = max(np.linalg.norm(r) - sum(d) / 2, MIN_GAP)
-        expected = over_heights(lambda g: rough_total(g, d[0] / 2, d[1] / 2), h, np.sqrt(2) * s1)
-        assert abs(F[2*k + 1] @ r / np.linalg.norm(r) / expected - 1) < 1e-4
+        gap = np.linalg.norm(r) - sum(d) / 2
+        h = max(gap, MIN_GAP)
+        f, U = colloidTheory.over_heights(dlvo(d[0] / 2, d[1] / 2), h, np.sqrt(2) * s1, MIN_GAP)
+        assert abs(F[2*k + 1] @ r / np.linalg.norm(r) / f - 1) < 1e-4
+        energy += U + f * (h - gap)
+        terms += abs(U)
     for k in range(2):
         h = at_wall[k, 2] + z - d[k] / 2
-        expected = over_heights(lambda g: rough_total(g, d[k] / 2), h, 1e-9)
-        assert abs(F[2*len(gaps) + k, 2] / expected - 1) < 1e-4
-
-
-def test_energy_of_rough_surfaces(tmp_path):
-    """The averaged energy, 1e-4."""
-    s, R, h = 1e-9, 1e-7, 2e-9
-    x, h = two(h, (2*R, 2*R))
-    _, output = case_of(tmp_path, {'v': HAMAKER}, x, 2*R, changes={'colloids/roughness': s / np.sqrt(2)})
-
-    def U(g):
-        at_least = float(hamaker_U(max(g, MIN_GAP), R, R))
-        return at_least if g > MIN_GAP else at_least + rough_hamaker * (MIN_GAP - g)
-    rough_hamaker = force(hamaker_U, MIN_GAP, R, R)
-    g = np.linspace(h - 10*s, h + 10*s, 8001)
-    expected = np.trapz([U(v) * np.exp(-((v - h) / s)**2 / 2) for v in g], g) / (s * np.sqrt(2*np.pi))
-    found = float(re.search(r'energies \S+ (\S+)', output).group(1))
-    assert abs(found / expected - 1) < 1e-4
+        f, U = colloidTheory.over_heights(dlvo(d[k] / 2), h, np.hypot(s1, s2), MIN_GAP)
+        assert abs(F[2*len(gaps) + k, 2] / f - 1) < 1e-4
+        energy += U
+        terms += abs(U)
+    assert abs(float(re.search(r'energies \S+ (\S+)', output).group(1)) - energy) < 1e-4 * terms
 
 
 # --- The sub-step
