@@ -31,7 +31,7 @@ Description
     Colloids (fixIntegrateColloids.cpp) have more columns, made when they are
     first needed: Brownian motion (brownianMotion) and the force of a liquid's
     surface, of a skin (surfaceSpring) or of a contact line (sphereInSurface,
-    by its tangent), both exact at any sub-step. The surface's impulse
+    or planePull, by its tangent), exact at any sub-step. The surface's impulse
     is not counted as received; the noise is, with the drag that takes it up
     again: what is left of both is the particle's thermal momentum.
 
@@ -116,13 +116,13 @@ public:
         kT = 0,
         // centre from the moving foot of the surface, normal there
         offset = 1, normal = 4, speed = 7, curvature = 8, stiffness = 9,
-        tension = 20, angle = 21,
+        tension = 20, angle = 21, planePull = 22,
         // derived at the start of a call: ornsteinUhlenbeck
         noiseV = 10, noiseXV = 11, noiseX = 12,
         // within a sub-step: change of v not yet made; normal at the particle
         // (zero without a force) and distance of its first half
         pending = 13, springNormal = 16, springDistance = 19,
-        nColloidColumns = 22
+        nColloidColumns = 23
     };
 
 private:

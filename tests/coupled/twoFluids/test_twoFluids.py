@@ -213,6 +213,8 @@ REFUSALS = {
               ('particleProperties', 'capillarity', 'contactAngle', '190', '180')),
     'no angle': ({'coupling/forces/capillarity': {'type': 'capillaryForce'}},
                  ('particleProperties', 'capillarity', 'contactAngle')),
+    'pull': ({'coupling/forces/capillarity': {'type': 'capillaryForce', 'contactAngle': 60, 'pull': 'Pieranski'}},
+             ('particleProperties', 'Pieranski', 'contactLine', 'plane')),
     'two surfaces': ({'coupling/forces/capillarity': {'type': 'capillaryForce', 'contactAngle': 60},
                       'coupling/forces/skin': {'type': 'elasticSurface', 'stiffness': 1e-3}},
                      ('particleProperties', 'elasticSurface', 'capillaryForce', 'Remove'))}
