@@ -30,6 +30,7 @@ def fresh(path, name):
 
 
 @pytest.mark.parametrize('name', ['demFoam/collisions', 'demFoam/brownianDiffusion', 'demFoam/dlvoPair',
+                                  'demFoam/colloidAtSurface',
                                   pytest.param('demFoam/packing', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/ErgunBed', marks=pytest.mark.slow),
                                   pytest.param('cfdDemFoam/Goldschmidt', marks=pytest.mark.slow),
