@@ -206,6 +206,20 @@ def test_detachment(tmp_path, heavier, floats):
     assert (case.table(0.3)['z'][0] > 0.0131 - d/2) == floats
 
 
+@pytest.mark.parametrize('heavier, floats', [(0.95, True), (1.05, False)])
+def test_detachment_of_a_plane(tmp_path, heavier, floats):
+    """With pull plane pi d sigma (1 - cos(theta)), and the buoyancy of the whole sphere: one of 0.95 of that weight stays,
+    one of 1.05 sinks. Begun where the first is at rest, for it has too little friction to come there."""
+    d, sigma, angle = 1e-3, 0.072, 110.0
+    held = np.pi*d*sigma*(1 - np.cos(np.deg2rad(angle)))
+    density = held/(9.81*np.pi/6*d**3) + RHO[0]
+    case = floating(tmp_path, heavier*density, sigma, angle, z=-1 + 0.05*(1 - np.cos(np.deg2rad(angle))), d=d)
+    case.properties['coupling']['forces']['capillarity']['pull'] = 'plane'
+    case.mesh()
+    solve(case)
+    assert (case.table(0.3)['z'][0] > 0.0131 - d/2) == floats
+
+
 # --- Bad input
 
 REFUSALS = {
