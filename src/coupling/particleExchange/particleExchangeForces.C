@@ -80,6 +80,7 @@ void Foam::dew::particleExchange::sizeForces()
     const label nTension = need.tension ? n : 0;
     forces_.surfaceTension.setSize(nTension);
     forces_.contactAngle.setSize(nTension);
+    forces_.planePull.setSize(nTension);
 
     forces_.nMemory = need.memory;
     forces_.memory = memory();
@@ -168,6 +169,7 @@ void Foam::dew::particleExchange::evaluateLaws()
                 forces_.surfaceTension[i] =
                     s.n == vector::zero ? 0 : f.surfaceTension;
                 forces_.contactAngle[i] = f.contactAngle;
+                forces_.planePull[i] = f.planePull;
             }
         }
         if (heatTransfer_)

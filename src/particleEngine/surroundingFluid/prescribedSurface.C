@@ -40,9 +40,13 @@ Foam::dew::prescribedSurface::prescribedSurface(const dictionary& dict)
     ),
     stiffness_(0),
     tension_(0),
-    angle_(0)
+    angle_(0),
+    plane_(false)
 {
-    wordList known({"type", "speed", "stiffness", "surfaceTension", "contactAngle"});
+    wordList known
+    ({
+        "type", "speed", "stiffness", "surfaceTension", "contactAngle", "pull"
+    });
     known.append
     (
         sphere_ ? wordList({"centre", "radius"}) : wordList({"point", "normal"})
@@ -62,12 +66,15 @@ Foam::dew::prescribedSurface::prescribedSurface(const dictionary& dict)
     }
     if (dict.found("stiffness"))
     {
-        if (dict.found("contactAngle"))
+        for (const word& key : wordList({"contactAngle", "pull"}))
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'contactAngle' is of no use with 'stiffness'" << nl
-                << "Remove it, or use 'surfaceTension'"
-                << exit(FatalIOError);
+            if (dict.found(key))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry '" << key << "' is of no use with 'stiffness'"
+                    << nl << "Remove it, or use 'surfaceTension'"
+                    << exit(FatalIOError);
+            }
         }
         stiffness_ =
             userEntry::positive(dict, "stiffness", dimForce/dimLength);
@@ -77,6 +84,9 @@ Foam::dew::prescribedSurface::prescribedSurface(const dictionary& dict)
         tension_ =
             userEntry::positive(dict, "surfaceTension", dimForce/dimLength);
         angle_ = degToRad(userEntry::within(dict, "contactAngle", 0, 180));
+        plane_ =
+            Enum<bool>({{false, "contactLine"}, {true, "plane"}})
+           .getOrDefault("pull", dict, false);
     }
 }
 

@@ -203,6 +203,7 @@ const Foam::dew::bulkForces& Foam::dew::surroundingFluid::forces()
     f.surfaceK.setSize(m);
     f.surfaceTension.setSize(surface_ && surface_->tension() > 0 ? n : 0);
     f.contactAngle.setSize(f.surfaceTension.size());
+    f.planePull.setSize(f.surfaceTension.size());
 
     for (label i = 0; i < n; i++)
     {
@@ -223,6 +224,7 @@ const Foam::dew::bulkForces& Foam::dew::surroundingFluid::forces()
             {
                 f.surfaceTension[i] = surface_->tension();
                 f.contactAngle[i] = surface_->contactAngle();
+                f.planePull[i] = surface_->planePull();
             }
         }
 

@@ -31,7 +31,7 @@ Description
     Colloids (fixIntegrateColloids.cpp) have more columns, made when they are
     first needed: Brownian motion (brownianMotion) and the force of a liquid's
     surface, of a skin (surfaceSpring) or of a contact line (sphereInSurface,
-    by its tangent), both exact at any sub-step. The surface's impulse
+    or planePull, by its tangent), exact at any sub-step. The surface's impulse
     is not counted as received; the noise is, with the drag that takes it up
     again: what is left of both is the particle's thermal momentum.
 
@@ -124,7 +124,7 @@ public:
         pending = 4, springDistance = 7, springNormal = 8,
         // centre from the moving foot of the surface, normal there
         offset = 11, normal = 14, speed = 17, curvature = 18, stiffness = 19,
-        tension = 20, angle = 21,
+        tension = 20, angle = 21, planePull = 22,
         nColloidColumns = 24
     };
 

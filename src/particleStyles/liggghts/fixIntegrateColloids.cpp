@@ -49,6 +49,12 @@ double Foam::dew::fixIntegrate::pull
     double& k
 ) const
 {
+    if (c[planePull] > 0)
+    {
+        const planeSurfacePull plane(c[tension], c[angle], R, delta);
+        k = plane.stiffness;
+        return plane.force;
+    }
     if (c[tension] > 0)
     {
         const contactLinePull line(c[tension], c[angle], R, delta);

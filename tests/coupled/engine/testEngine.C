@@ -210,6 +210,7 @@ int main(int argc, char *argv[])
         fill("surfaceK", b.surfaceK, scalar(0));
         fill("surfaceTension", b.surfaceTension, scalar(0));
         fill("contactAngle", b.contactAngle, scalar(0));
+        fill("planePull", b.planePull, scalar(0));
 
         for (label i = 0; i < b.surfaceX.size(); i++)
         {

@@ -206,6 +206,20 @@ def test_detachment(tmp_path, heavier, floats):
     assert (case.table(0.3)['z'][0] > 0.0131 - d/2) == floats
 
 
+@pytest.mark.parametrize('heavier, floats', [(0.95, True), (1.05, False)])
+def test_detachment_of_a_plane(tmp_path, heavier, floats):
+    """With pull plane pi d sigma (1 - cos(theta)), and the buoyancy of the whole sphere: one of 0.95 of that weight stays,
+    one of 1.05 sinks. Begun where the first is at rest, for it has too little friction to come there."""
+    d, sigma, angle = 1e-3, 0.072, 110.0
+    held = np.pi*d*sigma*(1 - np.cos(np.deg2rad(angle)))
+    density = held/(9.81*np.pi/6*d**3) + RHO[0]
+    case = floating(tmp_path, heavier*density, sigma, angle, z=-1 + 0.05*(1 - np.cos(np.deg2rad(angle))), d=d)
+    case.properties['coupling']['forces']['capillarity']['pull'] = 'plane'
+    case.mesh()
+    solve(case)
+    assert (case.table(0.3)['z'][0] > 0.0131 - d/2) == floats
+
+
 # --- Bad input
 
 REFUSALS = {
@@ -213,6 +227,8 @@ REFUSALS = {
               ('particleProperties', 'capillarity', 'contactAngle', '190', '180')),
     'no angle': ({'coupling/forces/capillarity': {'type': 'capillaryForce'}},
                  ('particleProperties', 'capillarity', 'contactAngle')),
+    'pull': ({'coupling/forces/capillarity': {'type': 'capillaryForce', 'contactAngle': 60, 'pull': 'Pieranski'}},
+             ('particleProperties', 'Pieranski', 'contactLine', 'plane')),
     'two surfaces': ({'coupling/forces/capillarity': {'type': 'capillaryForce', 'contactAngle': 60},
                       'coupling/forces/skin': {'type': 'elasticSurface', 'stiffness': 1e-3}},
                      ('particleProperties', 'elasticSurface', 'capillaryForce', 'Remove'))}

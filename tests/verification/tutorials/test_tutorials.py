@@ -30,6 +30,8 @@ def fresh(path, name):
 
 
 @pytest.mark.parametrize('name', ['demFoam/collisions', 'demFoam/brownianDiffusion', 'demFoam/dlvoPair',
+                                  'demFoam/colloidAtSurface',
+                                  pytest.param('demFoam/dryingFilm2D', marks=pytest.mark.slow),
                                   pytest.param('demFoam/dissipativeParticles', marks=pytest.mark.slow),
                                   pytest.param('demFoam/sedimentationEquilibrium', marks=pytest.mark.slow),
                                   pytest.param('demFoam/stabilityRatio', marks=pytest.mark.slow),

@@ -6,6 +6,7 @@
 
 #include "capillaryForce.H"
 #include "addToRunTimeSelectionTable.H"
+#include "Enum.H"
 #include "unitConversion.H"
 #include "userEntry.H"
 
@@ -31,9 +32,14 @@ Foam::dew::particleForces::capillaryForce::capillaryForce
     const dictionary& dict
 )
 :
-    angle_(degToRad(userEntry::within(dict, "contactAngle", 0, 180)))
+    angle_(degToRad(userEntry::within(dict, "contactAngle", 0, 180))),
+    plane_
+    (
+        Enum<bool>({{false, "contactLine"}, {true, "plane"}})
+       .getOrDefault("pull", dict, false)
+    )
 {
-    userEntry::onlyThese(dict, {"type", "contactAngle"});
+    userEntry::onlyThese(dict, {"type", "contactAngle", "pull"});
 }
 
 
@@ -48,5 +54,6 @@ Foam::dew::forceSuSp Foam::dew::particleForces::capillaryForce::force
     forceSuSp f;
     f.surfaceTension = c.surface.sigma;
     f.contactAngle = angle_;
+    f.planePull = plane_;
     return f;
 }

@@ -192,6 +192,7 @@ Foam::dew::particleForceList::sum Foam::dew::particleForceList::total
         result.surfaceK += f.surfaceK;
         result.surfaceTension += f.surfaceTension;
         result.contactAngle += f.contactAngle;
+        result.planePull += f.planePull;
         result.Tu += f.Tu;
         result.Tp += f.Tp;
     }

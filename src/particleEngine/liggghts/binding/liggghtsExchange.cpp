@@ -182,6 +182,7 @@ void Foam::dew::liggghtsEmbedded::pushColloids(const bulkForcesView& b)
     set(b.surfaceK, f::stiffness, 1, u.length/u.force());
     set(b.surfaceTension, f::tension, 1, u.length/u.force());
     set(b.contactAngle, f::angle, 1, 1);
+    set(b.planePull, f::planePull, 1, 1);
 
     for (int i = 0; i < n; i++)
     {

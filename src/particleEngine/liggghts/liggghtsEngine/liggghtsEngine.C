@@ -174,6 +174,7 @@ Foam::label Foam::dew::liggghtsEngine::advance
     view.surfaceK = data(b.surfaceK);
     view.surfaceTension = data(b.surfaceTension);
     view.contactAngle = data(b.contactAngle);
+    view.planePull = data(b.planePull);
     view.addedMass = data(b.addedMass);
     view.nMemory = b.nMemory;
     view.memory = data(b.memory);
