@@ -72,6 +72,15 @@ def test_runs_and_validates(tmp_path, name):
     assert done.code == 0, done.output
 
 
+def test_narrow_film(tmp_path):
+    """The shortest of the films of dryingFilm2D."""
+    case = fresh(tmp_path / 'case', 'demFoam/dryingFilm2D')
+    for command in ('./Allrun narrow', './validate'):
+        done = run_command(command.split(), case, 300)
+        assert done.code == 0, done.output
+    assert done.output.rstrip().endswith('PASS')
+
+
 @pytest.mark.parametrize('name, end, begun, particles', [('liquidFluidisedBed', '9', '0.02', 1500),
                                                          ('spoutedBed', '0.8', '0.002', 3200)],
                          ids=['liquidFluidisedBed', 'spoutedBed'])
