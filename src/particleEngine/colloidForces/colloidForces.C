@@ -88,8 +88,8 @@ Foam::dew::colloidForces::steepness Foam::dew::colloidForces::steepest
     {
         const scalar next = F(h*ratio);
         const scalar slope = (next - before)/(h*(ratio - 1));
-        most.slope = max(most.slope, mag(slope));
-        most.restoring = max(most.restoring, -slope);
+        most.back = max(most.back, -slope);
+        most.on = max(most.on, slope);
         most.pull = max(most.pull, -next);
         before = next;
         h *= ratio;
@@ -294,18 +294,14 @@ Foam::scalar Foam::dew::colloidForces::stableTimeStep
     const auto limit =
         [&](const scalar m, const label bodies, const steepness& most)
     {
-        if (mu > 0)
+        const scalar pull = bodies*most.pull/(overlap*R);
+        const scalar k =
+            max(most.back, mu > 0 ? min(most.on, pull) : most.on);
+        if (k > 0)
         {
-            const scalar k =
-                max(most.restoring, bodies*most.pull/(overlap*R));
-            if (k > 0)
-            {
-                least = min(least, overdampedTime(R, mu, k));
-            }
-        }
-        else if (most.slope > 0)
-        {
-            least = min(least, 2*sqrt(m/(bodies*most.slope)));
+            const scalar limit =
+                mu > 0 ? overdampedTime(R, mu, k) : 2*sqrt(m/(bodies*k));
+            least = min(least, limit);
         }
     };
 

@@ -453,29 +453,36 @@ def test_rough_surfaces(tmp_path, d):
 
 # --- The sub-step
 
+def slope_of_hamaker(h, *radii):
+    with mpmath.workdps(60):
+        return abs(float(mpmath.diff(lambda x: hamaker_U(x, *radii), mpmath.mpf(h), 2)))
+
+
+DRAG = 6 * np.pi * 1e-3
 STEEP = {
-    'inertial': ({}, {'v': HAMAKER}, lambda R, F, k: 2 * np.sqrt(RHO * 4 / 3 * np.pi * R**3 / 2 / k(MIN_GAP))),
-    'attraction': ({'type': 'overdamped', 'viscosity': 1e-3}, {'v': HAMAKER},
-                   lambda R, F, k: 6 * np.pi * 1e-3 * R * 0.01 * R / (2 * abs(F(MIN_GAP)))),
-    'repulsion': ({'type': 'overdamped', 'viscosity': 1e-3}, {'e': CHARGED},
-                  lambda R, F, k: 6 * np.pi * 1e-3 * R / (2 * np.pi * EPS * R * KAPPA**2 * PSI**2 / 2))}
+    'inertial': ({}, {'v': HAMAKER}, MIN_GAP,
+                 lambda R: 2 * np.sqrt(RHO * 4 / 3 * np.pi * R**3 / 2 / slope_of_hamaker(MIN_GAP, R, R))),
+    'attraction': ({'type': 'overdamped', 'viscosity': 1e-3}, {'v': HAMAKER}, MIN_GAP,
+                   lambda R: DRAG * R * 0.01 * R / (2 * abs(force(hamaker_U, MIN_GAP, R, R)))),
+    'weak': ({'type': 'overdamped', 'viscosity': 1e-3}, {'v': HAMAKER}, 2e-8,
+             lambda R: DRAG * R / slope_of_hamaker(2e-8, R)),
+    'repulsion': ({'type': 'overdamped', 'viscosity': 1e-3}, {'e': CHARGED}, MIN_GAP,
+                  lambda R: DRAG * R / (2 * np.pi * EPS * R * KAPPA**2 * PSI**2 / 2))}
 
 
 @pytest.mark.parametrize('case', STEEP)
 def test_limit_of_the_sub_step(tmp_path, case):
     """2 sqrt(m*/k) of the steepest force, van der Waals at the least gap; without inertia an attraction may pull two by 1 %
-    of R into each other, and a repulsion has 6 pi mu R/k, that of two equal potentials steepest at a wall at contact,
-    2 pi eps R kappa^2 psi^2/4 times 2 (MIN_GAP is near enough: kappa h = 0.02). The slope is sampled: 1 %."""
+    of R into each other, or has 6 pi mu R/k where that is longer, at a wall, where a force is twice as steep; and a repulsion
+    has it, that of two equal potentials steepest at a wall at contact, 2 pi eps R kappa^2 psi^2/4 times 2 (MIN_GAP is near
+    enough: kappa h = 0.02). The slope is sampled: 1 %."""
     R = 5e-7
-    dynamics, forces, limit = STEEP[case]
-
-    def k(h):
-        with mpmath.workdps(60):
-            return abs(float(mpmath.diff(hamaker_U, (mpmath.mpf(h), R, R), (2, 0, 0))))
-    expected = limit(R, lambda h: force(hamaker_U, h, R, R), k)
+    dynamics, forces, least, limit = STEEP[case]
+    expected = limit(R)
     x, _ = two(1e-8, (1e-6, 1e-6))
     more = {'dynamics/' + key: value for key, value in dynamics.items()}
-    case = case_of(tmp_path, forces, x, 1e-6, run=False, changes={**more, 'materials/silica/youngsModulus': 1e4})
+    case = case_of(tmp_path, forces, x, 1e-6, run=False, changes={
+        **more, 'materials/silica/youngsModulus': 1e4 if least == MIN_GAP else 10.0, 'colloids/minGap': least})
     case.write_file('constant/testProperties', foam_dict({'Sp': 6 * np.pi * 1e-3 * R, 'U': (0, 0, 0)}) + '\n')
     done = case.run('testEngine')
     assert done.code == 0, done.output
