@@ -210,6 +210,16 @@ def test_pair_across_a_boundary(tmp_path, ranks, cyclic, h, shift):
     assert abs(energy / U - 1) < 1e-6
 
 
+def test_energy_in_the_log(tmp_path):
+    """demFoam tells of the energy after each step, here 1e-14 s from the start: to the digits it prints."""
+    x, _ = two(2e-9, (1e-6, 1e-6))
+    case = case_of(tmp_path, {'v': HAMAKER}, x, 1e-6, run=False)
+    done = case.run('demFoam')
+    assert done.code == 0, done.output
+    found = float(re.search(r'colloidal energy (\S+) J', done.output).group(1))
+    assert abs(found / float(hamaker_U(2e-9, 5e-7, 5e-7)) - 1) < 1e-3
+
+
 def test_held_below_the_least_gap(tmp_path):
     """F(minGap) below it, nothing beyond the cut-off."""
     for name, h, at in (('below', 1e-10, MIN_GAP), ('beyond', 6.001e-8, None)):
