@@ -498,6 +498,13 @@ def test_limit_of_the_sub_step(tmp_path, case):
     assert done.code == 0, done.output
     found = float(re.search(r'Stable sub-step (\S+)', done.output).group(1))
     assert abs(found / expected - 1) < 0.01
+    share = int(re.search(r', sub-step \S+ s, (\d+) % of the stability limit', done.output).group(1))
+    assert abs(share - 100 * 1e-14 / expected) <= 0.5
+    case.properties['timeStep'] = {'deltaT': 0.4 * expected}
+    case.control.update(deltaT=0.4 * expected, endTime=0.4 * expected)
+    case.write()
+    done = case.run('testEngine')
+    assert done.code == 0 and ' s, 40 % of the stability limit' in done.output, done.output
     case.control.update(deltaT=2 * expected, endTime=2 * expected)
     case.properties['timeStep'] = {'deltaT': 2 * expected}
     case.write()

@@ -531,6 +531,12 @@ void Foam::dew::liggghtsEngine::printSetup() const
         Info<< ", up to d " << maxDiameter_ << " m";
     }
     Info<< ", sub-step " << deltaT_ << " s";
+    if (stableDeltaT_ > 0)
+    {
+        // Above a quarter, crowds may rattle
+        Info<< ", " << label(round(100*deltaT_/stableDeltaT_))
+            << " % of the stability limit";
+    }
     if (restarted())
     {
         Info<< ", continued from the restart of time "
