@@ -23,9 +23,8 @@ Description
     pairs and lists as well and makes them dear: those get that of touch. To be
     made before the walls.
 
-    The engine passes a particle on to ranks within a radius and half of what
-    the lists hold, which is all that contacts need; extend_cut_ghost() asks
-    for the whole.
+    The engine passes a particle on to ranks as contacts need it;
+    extend_cut_ghost() adds what the lists hold beyond them.
 
     reach    largest gap between particles that laws need, engine units
     margin   way of a particle from one build to the next, engine units

@@ -273,6 +273,22 @@ def test_coming_from_afar(tmp_path, other, h0):
     assert abs((v**2 - speed**2) / (2 * lost / m) - 1) < 2e-3
 
 
+def test_coming_to_another_rank(tmp_path):
+    """The same of a large sphere that comes to a small one just behind the boundary of two ranks, from beyond the cut-off
+    when the lists were built."""
+    d, D, v, h0, h = 1e-7, 1e-6, 1.0, 1.12e-7, 4e-8
+    x = np.array([[1e-9, 0, 0], [1e-9 - (d + D) / 2 - h0, 0, 0]])
+    case, _ = case_of(tmp_path, {'v': HAMAKER, 'e': CHARGED}, x, [d, D], dt=1e-11, n_sub=int(round((h0 - h) / v / 1e-11)),
+                      n_out=1, width=2e-5, v=[[0, 0, 0], [v, 0, 0]], ranks=2)
+    rows = rows_of(case)
+    gap = rows['x'][0] - rows['x'][1] - (d + D) / 2
+    lost = float(mpmath.quad(lambda s: total(float(s), d / 2, D / 2), [gap, CUT_OFF]))
+    m = RHO * np.pi / 6 * d**3 / (1 + (d / D)**3)
+    assert abs((v**2 - (rows['vx'][0] - rows['vx'][1])**2) / (2 * lost / m) - 1) < 2e-3
+    # Both felt it
+    assert abs(rows['vx'][0] * (d / D)**3 / (v - rows['vx'][1]) - 1) < 1e-3
+
+
 def atoms_at_wall(z, R, sigma, attraction=True):
     """A sphere of Lennard-Jones atoms with its centre at z over a half-space of them: the 9-3 potential of one atom (R.
     Everaers, M.R. Ejtehadi, Phys. Rev. E 67 (2003) 041710 start from the same pairs), summed over the sphere's slices;
