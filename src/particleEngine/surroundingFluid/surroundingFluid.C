@@ -6,12 +6,11 @@
 
 #include "surroundingFluid.H"
 #include "colloidConstants.H"
-#include "dimensionedVector.H"
+#include "gravity.H"
 #include "polyMesh.H"
 #include "slipCorrection.H"
 #include "sphereInSurface.H"
 #include "Time.H"
-#include "uniformDimensionedFields.H"
 #include "userEntry.H"
 
 
@@ -68,19 +67,7 @@ void Foam::dew::surroundingFluid::read(const dictionary& dict)
         }
     }
 
-    g_ = uniformDimensionedVectorField
-    (
-        IOobject
-        (
-            "g",
-            mesh_.time().constant(),
-            mesh_,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        ),
-        dimensionedVector("g", dimAcceleration, Zero)
-    ).value();
+    g_ = gravity(mesh_);
 
     mu_ = userEntry::positive(dict, "viscosity", dimDynamicViscosity);
     if (mag(g_) > 0 || dict.found("density"))

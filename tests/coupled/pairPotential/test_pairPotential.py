@@ -79,7 +79,7 @@ def test_without_barrier(tmp_path):
 @pytest.mark.parametrize('dynamics', [{}, {'type': 'overdamped', 'viscosity': MU}], ids=['inertial', 'overdamped'])
 def test_sub_step(tmp_path, dynamics):
     """2 sqrt(m'/k) of the steepest force, m' = m/2 of a pair; without inertia 6 pi mu R/k of the steepest force that drives
-    back, and 1 % of R by the largest attraction of either of a pair; the least of pairs and walls, of all materials."""
+    back, and 1 % of R by the largest attraction of either of a pair, longer here than its slope allows; the least of pairs and walls, of all materials."""
     output = run(tmp_path, '-d', D, changes={'dynamics': dynamics} if dynamics else {})
     R, h = D / 2, np.geomspace(MIN_GAP, CUT_OFF, 100001)
     expected = np.inf

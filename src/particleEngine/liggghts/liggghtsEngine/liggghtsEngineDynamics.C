@@ -7,12 +7,11 @@
 // What moves the particles: gravity, dynamics, laws of pairs, the sub-step
 
 #include "liggghtsEngine.H"
-#include "dimensionedVector.H"
 #include "Enum.H"
+#include "gravity.H"
 #include "liggghtsTimeStep.H"
 #include "polyMesh.H"
 #include "Time.H"
-#include "uniformDimensionedFields.H"
 #include "userEntry.H"
 
 #include <cmath>
@@ -21,28 +20,7 @@
 
 void Foam::dew::liggghtsEngine::readGravity()
 {
-    const uniformDimensionedVectorField g
-    (
-        IOobject
-        (
-            "g",
-            mesh_.time().constant(),
-            mesh_,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        ),
-        dimensionedVector("g", dimAcceleration, Zero)
-    );
-
-    if (g.dimensions() != dimAcceleration)
-    {
-        FatalErrorInFunction
-            << "Wrong dimensions in file " << g.objectPath() << ": "
-            << g.dimensions() << nl << "Expected: " << dimAcceleration
-            << exit(FatalError);
-    }
-    g_ = g.value();
+    g_ = gravity(mesh_);
 
     if (dict_.found("frameAcceleration"))
     {

@@ -350,47 +350,11 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
 
     engineBox_ = wide;
 
-    scalar skin =
-        0.5*maxDiameter_*userEntry::positiveOr(dict_, "skin", dimless, 0.3);
-    if (dissipative_ && !dict_.found("skin"))
-    {
-        skin = max(skin, dissipative_->skin());
-    }
     const lubricationProperties lubrication
     (
         dict_, smallestRadius(), 0.5*maxDiameter_
     );
-    if (lubrication.on())
-    {
-        // The lists of flat walls reach as far as half of it, and no further
-        skin = max(skin, 2.2*lubrication.maxGap());
-    }
-    // Lists that hold all gaps which laws need between two builds
-    const scalar narrow = lubrication.on() ? lubrication.maxGap() : 0;
-    scalar pairs = 0, atWalls = 0;
-    if (colloids_)
-    {
-        pairs = atWalls = max(colloids_->cutOff(), narrow);
-    }
-    if (dissipative_)
-    {
-        const scalar open = dissipative_->range() - 2*smallestRadius();
-        pairs = max(pairs, max(open, narrow));
-    }
-    if (walls.empty())
-    {
-        atWalls = 0;
-    }
-    const scalar margin = 0.5*max(skin, colloids_ ? pairs : 0);
-    if (pairs > 0)
-    {
-        skin = max(pairs + 2*margin, 2*(atWalls + margin));
-    }
-    commands.contact(skin);
-    if (pairs > 0)
-    {
-        commands.listReach(pairs, margin, 1 + 1.01*atWalls/smallestRadius());
-    }
+    neighbourLists(commands, lubrication, !walls.empty());
 
     const fileName path(mesh_.time().globalPath()/folder);
     forAll(walls, i)
@@ -438,6 +402,54 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
     }
     commands.lubrication(lubrication);
     commands.integrator();
+}
+
+
+void Foam::dew::liggghtsEngine::neighbourLists
+(
+    liggghtsCommands& commands,
+    const lubricationProperties& lubrication,
+    const bool walls
+) const
+{
+    scalar skin =
+        0.5*maxDiameter_*userEntry::positiveOr(dict_, "skin", dimless, 0.3);
+    if (dissipative_ && !dict_.found("skin"))
+    {
+        skin = max(skin, dissipative_->skin());
+    }
+    if (lubrication.on())
+    {
+        // The lists of flat walls reach as far as half of it, and no further
+        skin = max(skin, 2.2*lubrication.maxGap());
+    }
+
+    // Gaps that laws need, of pairs and at walls
+    const scalar narrow = lubrication.on() ? lubrication.maxGap() : 0;
+    scalar pairs = 0, atWalls = 0;
+    if (colloids_)
+    {
+        pairs = atWalls = max(colloids_->cutOff(), narrow);
+    }
+    if (dissipative_)
+    {
+        const scalar open = dissipative_->range() - 2*smallestRadius();
+        pairs = max(pairs, max(open, narrow));
+    }
+    if (!walls)
+    {
+        atWalls = 0;
+    }
+    const scalar margin = 0.5*max(skin, colloids_ ? pairs : 0);
+    if (pairs > 0)
+    {
+        skin = max(pairs + 2*margin, 2*(atWalls + margin));
+    }
+    commands.contact(skin);
+    if (pairs > 0)
+    {
+        commands.listReach(pairs, margin, 1 + 1.01*atWalls/smallestRadius());
+    }
 }
 
 
