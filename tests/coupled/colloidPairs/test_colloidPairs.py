@@ -76,9 +76,10 @@ def case_of(path, forces, x, d, dt=DT, n_sub=1, n_out=1, code=0, ranks=1, walls=
         'engine': 'liggghts', 'materials': {'silica': SOFT},
         'contacts': {'tangential': 'none', 'default': {'restitution': 1}},
         'insertion': {'some': {'type': 'file', 'file': quoted('constant/particles.csv'), 'material': 'silica'}},
-        'timeStep': {'deltaT': dt}, 'overlapTolerance': 0.2, 'output': ('csv',), 'processors': (ranks, 1, 1),
+        'timeStep': {'deltaT': dt}, 'overlapTolerance': 0.2, 'output': ('csv',),
         'colloids': {'temperature': T, 'permittivity': EPSR, 'ionicStrength': 1, 'minGap': MIN_GAP, 'cutOff': CUT_OFF,
-                     'forces': forces}, **({'walls': walls} if walls else {})}
+                     'forces': forces}, **({'walls': walls} if walls else {}),
+        **({'processors': (ranks, 1, 1)} if ranks > 1 else {})}
     case.properties = changed(case.properties, changes or {})
     columns = {'x': x[:, 0], 'y': x[:, 1], 'z': x[:, 2], 'd': d}
     if v is not None:
