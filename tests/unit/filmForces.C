@@ -16,20 +16,20 @@ using namespace Foam::dew;
 TEST(filmForces, vanDerWaals)
 {
     // H 1.2e-20 J, R 500 nm, 0.5 nm: 4.0 nN and 2e-18 J
-    const filmForce f = filmVanDerWaals(1.2e-20, 5e-7, 4e-10, 5e-10);
+    const filmForce f = filmVanDerWaals(1.2e-20, 5e-7, INFINITY, 4e-10, 5e-10);
     EXPECT_NEAR(f.F/-4e-9, 1, 1e-12);
     EXPECT_NEAR(f.U/-2e-18, 1, 1e-12);
-    EXPECT_NEAR(filmVanDerWaals(-1.2e-20, 5e-7, 5e-10, 1e-10).F/4e-9, 1, 1e-12);
+    EXPECT_NEAR(filmVanDerWaals(-1.2e-20, 5e-7, 1, 5e-10, 1e-10).F/4e-9, 1, 1e-12);
 
-    for (const double h : {-1.0, 0.4, 0.9, 1.1, 2.0, 30.0})
+    for (const double h : {-1.0, 0.4, 0.9, 1.1, 2.0, 6.9, 7.1})
     {
         const double e = 1e-5;
         EXPECT_NEAR
         (
-            filmVanDerWaals(6, 2, 1, h).F,
+            filmVanDerWaals(6, 2, 7, 1, h).F,
             (
-                filmVanDerWaals(6, 2, 1, h - e).U
-              - filmVanDerWaals(6, 2, 1, h + e).U
+                filmVanDerWaals(6, 2, 7, 1, h - e).U
+              - filmVanDerWaals(6, 2, 7, 1, h + e).U
             )/(2*e), 1e-9
         ) << h;
     }

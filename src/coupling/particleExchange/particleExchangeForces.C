@@ -81,6 +81,8 @@ void Foam::dew::particleExchange::sizeForces()
     forces_.surfaceTension.setSize(nTension);
     forces_.contactAngle.setSize(nTension);
     forces_.planePull.setSize(nTension);
+    forces_.film = laws_.film();
+    forces_.filmViscosity.setSize(laws_.film().share > 0 ? n : 0);
 
     forces_.nMemory = need.memory;
     forces_.memory = memory();
@@ -164,6 +166,10 @@ void Foam::dew::particleExchange::evaluateLaws()
             forces_.surfaceSpeed[i] = s.speed;
             forces_.surfaceCurvature[i] = s.curvature;
             forces_.surfaceK[i] = s.n == vector::zero ? 0 : f.surfaceK;
+            if (forces_.filmViscosity.size())
+            {
+                forces_.filmViscosity[i] = f.filmViscosity;
+            }
             if (need.tension)
             {
                 forces_.surfaceTension[i] =

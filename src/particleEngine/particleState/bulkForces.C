@@ -20,17 +20,18 @@ void Foam::dew::bulkForces::check(const label n) const
         surfaceX.size(), surfaceN.size(), surfaceSpeed.size(),
         surfaceCurvature.size(), surfaceK.size(), addedMass.size(),
         nMemory ? memory.size()/nMemory : 0,
-        surfaceTension.size(), contactAngle.size(), planePull.size()
+        surfaceTension.size(), contactAngle.size(), planePull.size(),
+        filmViscosity.size()
     };
     static const char* names[] =
     {
         "Su", "Sp", "U", "Tu", "Tp", "Omega", "Qu", "Qp", "Tf",
         "Sn", "kick", "heatKick", "kT", "surfaceX", "surfaceN",
         "surfaceSpeed", "surfaceCurvature", "surfaceK", "addedMass", "memory",
-        "surfaceTension", "contactAngle", "planePull"
+        "surfaceTension", "contactAngle", "planePull", "filmViscosity"
     };
 
-    for (label k = 0; k < 23; k++)
+    for (label k = 0; k < 24; k++)
     {
         if (sizes[k] != 0 && sizes[k] != n)
         {
@@ -48,6 +49,7 @@ void Foam::dew::bulkForces::check(const label n) const
           : k == 20 ? 21
           : k == 21 && sizes[k] ? 13
           : k == 22 && sizes[k] ? 20
+          : k == 23 && sizes[k] ? 13
           : k;
 
         if (sizes[k] != sizes[partner])

@@ -6,6 +6,7 @@
 
 #include "prescribedSurface.H"
 #include "Enum.H"
+#include "surfaceFilmEntries.H"
 #include "unitConversion.H"
 #include "userEntry.H"
 
@@ -45,7 +46,8 @@ Foam::dew::prescribedSurface::prescribedSurface(const dictionary& dict)
 {
     wordList known
     ({
-        "type", "speed", "stiffness", "surfaceTension", "contactAngle", "pull"
+        "type", "speed", "stiffness", "surfaceTension", "contactAngle", "pull",
+        "film"
     });
     known.append
     (
@@ -63,6 +65,10 @@ Foam::dew::prescribedSurface::prescribedSurface(const dictionary& dict)
             << "Keep one of them: stiffness 4e-4; or surfaceTension 0.072;"
             << " contactAngle 30;"
             << exit(FatalIOError);
+    }
+    if (dict.found("film"))
+    {
+        film_ = readSurfaceFilm(userEntry::subDict(dict, "film"));
     }
     if (dict.found("stiffness"))
     {

@@ -191,6 +191,9 @@ const Foam::dew::bulkForces& Foam::dew::surroundingFluid::forces()
     f.surfaceTension.setSize(surface_ && surface_->tension() > 0 ? n : 0);
     f.contactAngle.setSize(f.surfaceTension.size());
     f.planePull.setSize(f.surfaceTension.size());
+    f.film = surface_ ? surface_->film() : surfaceFilm();
+    f.filmViscosity.setSize(f.film.share > 0 ? n : 0);
+    f.filmViscosity = mu_;
 
     for (label i = 0; i < n; i++)
     {

@@ -35,6 +35,10 @@ Description
     is not counted as received; the noise is, with the drag that takes it up
     again: what is left of both is the particle's thermal momentum.
 
+    Before the surface there may be a film (filmForces). Its drainage is a
+    friction, over a sub-step the mean over the particle's way, with its noise
+    and its drift.
+
     Overdamped, particles have no inertia:
 
         v = U + (F + Su)/Sp,    omega = Omega + (M + Tu)/Tp
@@ -72,6 +76,7 @@ SourceFiles
 #include <vector>
 #include "fix.h"
 #include "departedParticle.H"
+#include "../filmForces.H"
 
 namespace LAMMPS_NS { class FixPropertyAtom; class FixPropertyGlobal; }
 
@@ -125,7 +130,10 @@ public:
         // centre from the moving foot of the surface, normal there
         offset = 11, normal = 14, speed = 17, curvature = 18, stiffness = 19,
         tension = 20, angle = 21, planePull = 22,
-        nColloidColumns = 24
+        // coefficient of drainage; of this sub-step its friction along
+        // springNormal and the speed of filmDrift
+        drainage = 23, filmFriction = 24, filmSpeed = 25,
+        nColloidColumns = 32
     };
 
 private:
@@ -151,6 +159,9 @@ private:
     std::vector<double> planes_;
     double minGap_;
 
+    //- Before the surface
+    surfaceFilm film_;
+
     double maxRadius_;
 
     //- Half sub-steps since load()
@@ -171,22 +182,32 @@ private:
             return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
         }
 
-        //- Is there a surface, that pulls this particle? How far out is it,
-        //  normal
+        //- Is there a surface, that pulls this particle, or a film on a way
+        //  from it? How far out is it, normal
         bool surfaced(const double* c) const
         {
-            return c[stiffness] > 0 || c[tension] > 0;
+            return
+                c[stiffness] > 0 || c[tension] > 0
+             || (film_.reach() > 0 && dot(c + normal, c + normal) > 0);
         }
-        bool pulled(const double* c, double R, double& delta, double* m) const;
+        bool pulled
+        (
+            const double* c, double R, double way, double& delta, double* m
+        ) const;
+
+        //- Of the film, thickness h: the friction over the coming sub-step,
+        //  filmFriction and filmSpeed
+        void drain(int i, double delta, const double* m);
 
         //- Its force along the normal, and how that falls with delta
         double pull(const double* c, double R, double delta, double& k) const;
 
-        //- Way out of the surface over a time t; change of v and of the
+        //- Way out of the surface over a time t with a friction of the film;
+        //  change of v and of the
         //  received impulse with respect to the relaxation without it
         double spring
         (
-            int i, double delta, const double* m, double t,
+            int i, double delta, const double* m, double t, double friction,
             double& dv, double& dJ
         ) const;
 
@@ -196,6 +217,9 @@ private:
 
         //- After that of the first half: noise and surfaces
         void afterFirst();
+
+        //- Correction of the noise g along the normal for the film
+        void filmNoise(int i, const double* g);
 
         //- Without inertia: velocity over the coming sub-step without noise,
         //  and its factor for the noise along the normal m. Returns the share
@@ -238,6 +262,9 @@ public:
         planes_ = planes;
         minGap_ = minGap;
     }
+
+    //- Film before the surface, from the next load() on
+    void film(const surfaceFilm& laws) { film_ = laws; }
 
     bool overdamped() const { return overdamped_; }
 

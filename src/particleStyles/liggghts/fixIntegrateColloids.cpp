@@ -27,6 +27,7 @@ bool Foam::dew::fixIntegrate::pulled
 (
     const double* c,
     const double R,
+    const double way,
     double& delta,
     double* m
 ) const
@@ -37,7 +38,11 @@ bool Foam::dew::fixIntegrate::pulled
     }
     delta = surfaceDistance(c + offset, c + normal, c[curvature], m);
 
-    return delta > (c[tension] > 0 ? -R : 0) && delta < R;
+    const double reach = film_.reach();
+    const double from =
+        reach > 0 ? -R - reach - way : c[tension] > 0 ? -R : 0;
+
+    return delta > from && delta < R;
 }
 
 
@@ -49,6 +54,13 @@ double Foam::dew::fixIntegrate::pull
     double& k
 ) const
 {
+    const double h = -delta - R;
+    if (h > 0)
+    {
+        const filmForce f = film_.force(filmRadius(R, c[curvature]), h);
+        k = std::max(-f.slope, 0.0);
+        return -f.F;
+    }
     if (c[planePull] > 0)
     {
         const planeSurfacePull plane(c[tension], c[angle], R, delta);
@@ -62,8 +74,89 @@ double Foam::dew::fixIntegrate::pull
         k = std::max(line.stiffness, 0.0);
         return line.force;
     }
-    k = c[stiffness];
+    k = delta > 0 ? c[stiffness] : 0;
     return -k*delta;
+}
+
+
+void Foam::dew::fixIntegrate::drain
+(
+    const int i,
+    const double delta,
+    const double* m
+)
+{
+    double* c = colloid_[i];
+    c[filmSpeed] = 0;
+
+    const double h = -delta - atom->radius[i];
+    const lubricationGap gap(film_.gap());
+    if (h <= 0 || !(c[drainage] > 0))
+    {
+        return;
+    }
+
+    // The way by the friction that is the mean over it
+    const double dt = update->dt;
+    double unused;
+    const auto friction = [&](const double way)
+    {
+        return c[drainage]*gap.meanSlope(h, -way);
+    };
+    const auto excess = [&](const double way)
+    {
+        return way - spring(i, delta, m, dt, friction(way), unused, unused);
+    };
+
+    const double* d = data_[i];
+    double k = 0;
+    const double held = pull(c, atom->radius[i], delta, k);
+    const double v = dot(atom->v[i], m) - c[speed]*dot(c + normal, m);
+    const double push =
+        dot(atom->f[i], m) + dot(d + Su, m) + held
+      + d[Sp]*(dot(d + U, m) - c[speed]*dot(c + normal, m));
+    double high =
+        dt*(std::fabs(v) + dt*std::fabs(push)/atom->rmass[i]) + 1e-300;
+    if (h - high >= gap.sMax)
+    {
+        return;
+    }
+    double low = -high;
+    double fLow = excess(low), fHigh = excess(high);
+    double way = 0;
+
+    // False position, halving the weight of an end that stays
+    for (int n = 0, side = 0; n < 100; n++)
+    {
+        const double last = way;
+        way = (low*fHigh - high*fLow)/(fHigh - fLow);
+        if (std::fabs(way - last) <= 1e-13*h)
+        {
+            break;
+        }
+        const double f = excess(way);
+        if (f > 0)
+        {
+            high = way;
+            fHigh = f;
+            fLow *= side > 0 ? 0.5 : 1;
+            side = 1;
+        }
+        else
+        {
+            low = way;
+            fLow = f;
+            fHigh *= side < 0 ? 0.5 : 1;
+            side = -1;
+        }
+    }
+
+    c[filmFriction] = friction(way);
+    if (h > gap.sMin && h < gap.sMax)
+    {
+        const double all = d[Sp] + c[filmFriction];
+        c[filmSpeed] = c[kT]*c[drainage]/(h*h*all*all);
+    }
 }
 
 
@@ -73,6 +166,7 @@ double Foam::dew::fixIntegrate::spring
     const double delta,
     const double* m,
     const double t,
+    const double friction,
     double& dv,
     double& dJ
 ) const
@@ -84,7 +178,7 @@ double Foam::dew::fixIntegrate::spring
     const double h = d[Sp]*perMass;
     double k = 0;
     const double held = pull(c, atom->radius[i], delta, k);
-    const springResponse response(h, k*t*perMass);
+    const springResponse response(h + friction*perMass, k*t*perMass);
 
     // In the frame of the surface
     const double w = c[speed]*dot(c + normal, m);
@@ -125,7 +219,15 @@ void Foam::dew::fixIntegrate::beforeFirst()
         {
             c[pending+k] = 0;
         }
-        if (!pulled(c, atom->radius[i], delta, m))
+        c[filmFriction] = 0;
+        const double* f = atom->f[i];
+        double way = 0;
+        for (int k = 0; film_.reach() > 0 && k < 3; k++)
+        {
+            const double a = f[k] + d[Su+k] + d[Sp]*(d[U+k] - v[k]);
+            way += std::fabs(dt*v[k] + a*d[fullStep]);
+        }
+        if (!pulled(c, atom->radius[i], way, delta, m))
         {
             std::memset(m, 0, 3*sizeof(double));
         }
@@ -141,8 +243,11 @@ void Foam::dew::fixIntegrate::beforeFirst()
         }
         if (dot(m, m) > 0)
         {
+            drain(i, delta, m);
+
+            const double film = c[filmFriction];
             double dv, dJ, unused;
-            const double way = spring(i, delta, m, dt, unused, dJ);
+            const double way = spring(i, delta, m, dt, film, unused, dJ);
             const double a =
                 dot(atom->f[i], m) + dot(d + Su, m)
               + d[Sp]*(dot(d + U, m) - dot(v, m));
@@ -150,7 +255,8 @@ void Foam::dew::fixIntegrate::beforeFirst()
                 way + c[speed]*dot(c + normal, m)*dt
               - dt*dot(v, m) - a*d[fullStep];
 
-            c[springDistance] = delta + spring(i, delta, m, 0.5*dt, dv, dJ);
+            c[springDistance] =
+                delta + spring(i, delta, m, 0.5*dt, film, dv, dJ);
             for (int k = 0; k < 3; k++)
             {
                 x[k] += more*m[k];
@@ -194,6 +300,10 @@ void Foam::dew::fixIntegrate::afterFirst()
                 c[pending+k] = c[noiseV]*g[k];
                 data_[i][impulse+k] += m*c[pending+k];
             }
+            if (surfaces_ && c[filmFriction] > 0)
+            {
+                filmNoise(i, g);
+            }
         }
         if (surfaces_ && surfaced(c))
         {
@@ -202,6 +312,34 @@ void Foam::dew::fixIntegrate::afterFirst()
                 c[offset+k] += x[k] - c[speed]*dt*c[normal+k];
             }
         }
+    }
+}
+
+
+void Foam::dew::fixIntegrate::filmNoise(const int i, const double* g)
+{
+    // The normal direction anew, with the whole friction; of its noise the
+    // drag's share is received
+    const double dt = update->dt;
+    const double* d = data_[i];
+    double* c = colloid_[i];
+    const double* n = c + springNormal;
+    const double moved = atom->rmass[i] + d[addedMass];
+    const double all = d[Sp] + c[filmFriction];
+    const ornsteinUhlenbeck noise(c[kT], moved, all, dt);
+    const filmDrift drift(c[filmSpeed], all*dt/moved, dt);
+    const double g1 = dot(g, n), g2 = dot(g + 3, n);
+
+    const double dx =
+        (noise.xv - c[noiseXV])*g1 + (noise.x - c[noiseX])*g2 - drift.dx;
+    const double dv = (noise.v - c[noiseV])*g1 - drift.dv;
+    const double counted = (noise.v*d[Sp]/all - c[noiseV])*g1;
+
+    for (int k = 0; k < 3; k++)
+    {
+        atom->x[i][k] += dx*n[k];
+        c[pending+k] += dv*n[k];
+        data_[i][impulse+k] += atom->rmass[i]*counted*n[k];
     }
 }
 
@@ -216,7 +354,10 @@ void Foam::dew::fixIntegrate::beforeSecond()
         if (dot(m, m) > 0)
         {
             double dv, dJ;
-            spring(i, c[springDistance], m, 0.5*update->dt, dv, dJ);
+            spring
+            (
+                i, c[springDistance], m, 0.5*update->dt, c[filmFriction], dv, dJ
+            );
 
             for (int k = 0; k < 3; k++)
             {

@@ -34,9 +34,15 @@ double Foam::dew::fixIntegrate::drift
 
     along = 1;
 
-    double delta = 0;
+    double delta = 0, way = 0;
+    for (int k = 0; film_.reach() > 0 && k < 3; k++)
+    {
+        way +=
+            update->dt
+           *std::fabs(d[U+k] + d[mobility]*(atom->f[i][k] + d[Su+k]));
+    }
     const bool held =
-        colloid_ && pulled(colloid_[i], atom->radius[i], delta, m);
+        colloid_ && pulled(colloid_[i], atom->radius[i], way, delta, m);
     const double share = 1 - std::max(delta, 0.0)/atom->radius[i];
 
     if (share <= 0)
@@ -56,18 +62,34 @@ double Foam::dew::fixIntegrate::drift
     {
         // Exact relaxation in the frame of the surface
         const double* c = colloid_[i];
+        const double dt = update->dt;
         double stiff = 0;
         const double force = pull(c, atom->radius[i], delta, stiff);
-        const double q = d[mobility]*stiff*update->dt;
         const double w = c[speed]*dot(c + normal, m);
         const double free = dot(v, m);
-        const double more = phi1(q)*(free - w + d[mobility]*force) + w - free;
+
+        // Mobility in the film, relative
+        const double h = -delta - atom->radius[i];
+        const double a = h > 0 ? c[drainage]*d[mobility] : 0;
+        const lubricationGap gap(film_.gap());
+        const double less = 1/(1 + a*gap.slope(h));
+
+        const double q = less*d[mobility]*stiff*dt;
+        double out = phi1(q)*(free - w + d[mobility]*force);
+        if (a > 0)
+        {
+            out = -gap.slowed(-out, h, a/dt, dt);
+            if (h > gap.sMin && h < gap.sMax)
+            {
+                out -= c[kT]*d[mobility]*a*(less/h)*(less/h);
+            }
+        }
 
         for (int k = 0; k < 3; k++)
         {
-            v[k] += more*m[k];
+            v[k] += (out + w - free)*m[k];
         }
-        along = std::sqrt(phi1(2*q));
+        along = std::sqrt(less*phi1(2*q));
     }
     else
     {

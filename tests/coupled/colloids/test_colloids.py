@@ -443,7 +443,35 @@ def test_surface_of_a_solver(tmp_path, ranks):
     assert np.linalg.norm(found[2] - end) < big
 
 
+def test_film_of_a_solver(tmp_path):
+    """The drop of the last test pushes a particle through a film that repels it (H < 0) and is drained: at rest with
+    respect to it |H| Rb/6 (1/h^2 - 1/r^2) = Sp V, 1/Rb = 1/R - 1/radius, to 0.5 % of h. On a line of cell
+    centres: the surface's velocity is that at the foot point of the cell."""
+    big, speed = 20 * D, np.array([2e-4, 0, 0])
+    H, r = -1e-18, 1e-6
+    case = fluid(tmp_path, {'film': {'type': 'filmForce', 'minThickness': 1e-9, 'drainage': {'surface': 'mobile', 'range': r},
+                                     'vanDerWaals': {'HamakerConstant': H, 'range': r}},
+                            'surface': {'type': 'elasticSurface', 'stiffness': 1e-5}},
+                 n=2, spacing=30*D, deltaT=2e-5, endTime=2e-2, writeInterval=100000)
+    centre = np.array([25*D, 22.5*D, 22.5*D])
+    x = centre + np.array([[-big + 1.6*R, 0, 0]])
+    case.particles({'x': x[:, 0], 'y': x[:, 1], 'z': x[:, 2], 'd': D})
+    case.write_file('constant/testProperties', foam_dict(
+        {'U': (0, 0, 0), 'rho': 1000, 'mu': MU, 'T': 1e-6, 'centre': tuple(centre), 'radius': big,
+         'speed': tuple(speed)}) + '\n')
+    case.mesh()
+    done = case.run('testColloidSurface', timeout=120)
+    assert done.code == 0, done.output
+    found = np.array(re.findall(r'particle 1 \((.*?)\)', done.output)[-1].split(), float)
+    h = big - R - np.linalg.norm(found - centre - speed * 2e-2)
+    expected = (6 * SP * speed[0] * (1/R - 1/big) / -H + r**-2)**-0.5
+    assert abs(h / expected - 1) < 5e-3, (h, expected)
+
+
 LAWS_REFUSED = {
+    'film without a surface': ({'a': {'type': 'filmForce', 'minThickness': 1e-9,
+                                      'hydrophobic': {'strength': 1e-20, 'range': 1e-8}}}, {},
+                               ('filmForce', 'needs a solver with a liquid surface')),
     'semiImplicit': ({}, {'coupling/momentum': 'semiImplicit'}, ('semiImplicit', 'overdamped', 'explicit', 'none')),
     'no temperature': ({'a': {'type': 'Brownian'}}, {}, ('Brownian', 'temperature', "'T'")),
     'T negative': ({'a': {'type': 'Brownian', 'T': -3}}, {}, ("'T'", '-3', 'greater than zero')),

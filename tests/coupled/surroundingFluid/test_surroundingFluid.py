@@ -151,7 +151,7 @@ def crowd(path, dynamics, **control):
     dt = 2e-6 if dynamics is OVERDAMPED else 2e-7
     return colloids(path, x, dt, 10, 40, dynamics, box=8*D, gravity=(0, 0, -9.81), fluid={
         'velocity': (2e-4, 0, 0), **HOT, 'surface': {
-            'type': 'sphere', 'centre': (4*D, 4*D, 4*D), 'radius': 7*D, 'speed': -1e-3, 'stiffness': 1e-5}}, **control)
+            'type': 'sphere', 'centre': (4*D, 4*D, 4*D), 'radius': 5*D, 'speed': -1.3*D / (400*dt), 'stiffness': 1e-5}}, **control)
 
 
 @BOTH

@@ -68,6 +68,12 @@ void Foam::dew::particleForceList::checkBeside
     const dictionary& dict
 ) const
 {
+    // At the surface of the liquid, which a film does not
+    const auto holds = [](const particleForce& f)
+    {
+        return f.needs().surface && !f.film();
+    };
+
     for (label i = 0; i < n; i++)
     {
         const particleForce& other = laws_[i];
@@ -76,7 +82,7 @@ void Foam::dew::particleForceList::checkBeside
         if
         (
             drags || law.type() == other.type()
-         || (law.needs().surface && other.needs().surface)
+         || (holds(law) && holds(other))
         )
         {
             FatalIOErrorInFunction(dict)
@@ -126,6 +132,10 @@ void Foam::dew::particleForceList::add
     const lawNeeds needs(law.needs());
     needs.refuse(law.type(), dict, offered);
 
+    if (law.film())
+    {
+        film_ = *law.film();
+    }
     brownian_ = brownian_ || isA<particleForces::Brownian>(law);
     needs_.add(needs);
 }
@@ -193,6 +203,7 @@ Foam::dew::particleForceList::sum Foam::dew::particleForceList::total
         result.surfaceTension += f.surfaceTension;
         result.contactAngle += f.contactAngle;
         result.planePull += f.planePull;
+        result.filmViscosity += f.filmViscosity;
         result.Tu += f.Tu;
         result.Tp += f.Tp;
     }

@@ -86,6 +86,9 @@ class liggghtsEmbedded
     //- Refuse a particle that drag does not hold
     void checkDrag(const bulkForcesView&) const;
 
+    //- Coefficient of a film's drainage from the viscosity in its column
+    void setDrainage(int i, double share);
+
     //- Noise and surface of the coming sub-steps
     void pushColloids(const bulkForcesView&);
 

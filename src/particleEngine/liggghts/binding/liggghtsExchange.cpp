@@ -156,6 +156,33 @@ void Foam::dew::liggghtsEmbedded::checkDrag(const bulkForcesView& b) const
 }
 
 
+void Foam::dew::liggghtsEmbedded::setDrainage(const int i, const double share)
+{
+    const Atom& atom = *lmp_->atom;
+    double* c = integrator().colloid(i);
+    const double R = atom.radius[i];
+    const double kappa = c[fixIntegrate::curvature];
+
+    if (kappa*R >= 1)
+    {
+        std::ostringstream os;
+        os.precision(6);
+        os  << "particle " << atom.tag[i] << ", radius " << R*units_.length
+            << " m, is as large as the liquid's radius of curvature "
+            << units_.length/kappa << " m: there is no film between them."
+            " Remove the film, or use smaller particles";
+        throw std::runtime_error(os.str());
+    }
+    // From the viscosity, in engine units
+    double& k = c[fixIntegrate::drainage];
+    k = filmCoefficient
+    (
+        k*units_.length*units_.length/(units_.force()*units_.time),
+        R, kappa, share
+    );
+}
+
+
 void Foam::dew::liggghtsEmbedded::pushColloids(const bulkForcesView& b)
 {
     typedef fixIntegrate f;
@@ -183,6 +210,18 @@ void Foam::dew::liggghtsEmbedded::pushColloids(const bulkForcesView& b)
     set(b.surfaceTension, f::tension, 1, u.length/u.force());
     set(b.contactAngle, f::angle, 1, 1);
     set(b.planePull, f::planePull, 1, 1);
+    set(b.filmViscosity, f::drainage, 1, 1);
+
+    surfaceFilm film(b.film);
+    for (double* length : {&film.hMin, &film.hMax, &film.rangeH, &film.rangeK})
+    {
+        *length /= u.length;
+    }
+    for (double* energy : {&film.H, &film.K})
+    {
+        *energy /= u.force()*u.length;
+    }
+    data.film(film);
 
     for (int i = 0; i < n; i++)
     {
@@ -197,6 +236,10 @@ void Foam::dew::liggghtsEmbedded::pushColloids(const bulkForcesView& b)
                 const double span = box.boxhi[k] - box.boxlo[k];
                 y -= span*std::round(y/span);
             }
+        }
+        if (film.reach() > 0)
+        {
+            setDrainage(i, film.share);
         }
     }
 }

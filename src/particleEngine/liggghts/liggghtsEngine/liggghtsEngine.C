@@ -175,6 +175,8 @@ Foam::label Foam::dew::liggghtsEngine::advance
     view.surfaceTension = data(b.surfaceTension);
     view.contactAngle = data(b.contactAngle);
     view.planePull = data(b.planePull);
+    view.film = b.film;
+    view.filmViscosity = data(b.filmViscosity);
     view.addedMass = data(b.addedMass);
     view.nMemory = b.nMemory;
     view.memory = data(b.memory);
