@@ -308,6 +308,25 @@ void Foam::dew::fixIntegrate::setup(int)
 }
 
 
+void Foam::dew::fixIntegrate::turn(const int i)
+{
+    double* d = data_[i];
+    const double R = atom->radius[i];
+    const double I = inertia*atom->rmass[i]*R*R;
+    const double dtf = 0.5*update->dt;
+
+    for (int k = 0; k < 3; k++)
+    {
+        const double T = atom->torque[i][k];
+        double& w = atom->omega[i][k];
+        const double dw =
+            (T + d[Tu+k] + d[Tp]*(d[Omega+k] - w))*d[halfTurn];
+        w += dw;
+        d[angularImpulse+k] += I*dw - dtf*T;
+    }
+}
+
+
 void Foam::dew::fixIntegrate::initial_integrate(int)
 {
     const int n = atom->nlocal;
@@ -348,6 +367,14 @@ void Foam::dew::fixIntegrate::initial_integrate(int)
         return;
     }
 
+    if (!planes_.empty())
+    {
+        for (int i = 0; i < n; i++)
+        {
+            firstBeside(i);
+        }
+        return;
+    }
     if (surfaces_)
     {
         beforeFirst();
@@ -357,7 +384,6 @@ void Foam::dew::fixIntegrate::initial_integrate(int)
     {
         double* d = data_[i];
         const double m = rmass[i];
-        const double I = inertia*m*radius[i]*radius[i];
 
         for (int k = 0; k < 3; k++)
         {
@@ -366,15 +392,8 @@ void Foam::dew::fixIntegrate::initial_integrate(int)
             x[i][k] += dt*v[i][k] + a*d[fullStep];
             v[i][k] += dv;
             d[impulse+k] += m*dv - dtf*f[i][k];
-
-            const double dw =
-                (
-                    torque[i][k] + d[Tu+k]
-                  + d[Tp]*(d[Omega+k] - omega[i][k])
-                )*d[halfTurn];
-            omega[i][k] += dw;
-            d[angularImpulse+k] += I*dw - dtf*torque[i][k];
         }
+        turn(i);
     }
 
     if (colloid_)
@@ -418,6 +437,13 @@ void Foam::dew::fixIntegrate::final_integrate()
             }
         }
     }
+    else if (!planes_.empty())
+    {
+        for (int i = 0; i < n; i++)
+        {
+            secondBeside(i);
+        }
+    }
     else
     {
         const double none[3] = {0, 0, 0};
@@ -432,7 +458,6 @@ void Foam::dew::fixIntegrate::final_integrate()
             double* d = data_[i];
             const double* more = colloid_ ? colloid_[i] + pending : none;
             const double m = rmass[i];
-            const double I = inertia*m*radius[i]*radius[i];
 
             for (int k = 0; k < 3; k++)
             {
@@ -440,15 +465,8 @@ void Foam::dew::fixIntegrate::final_integrate()
                     (f[i][k] + d[Su+k] + d[Sp]*(d[U+k] - v[i][k]))*d[halfStep];
                 v[i][k] += dv + more[k];
                 d[impulse+k] += m*dv - dtf*f[i][k];
-
-                const double dw =
-                    (
-                        torque[i][k] + d[Tu+k]
-                      + d[Tp]*(d[Omega+k] - omega[i][k])
-                    )*d[halfTurn];
-                omega[i][k] += dw;
-                d[angularImpulse+k] += I*dw - dtf*torque[i][k];
             }
+            turn(i);
         }
     }
 

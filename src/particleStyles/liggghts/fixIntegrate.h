@@ -49,11 +49,15 @@ Description
     that does not rotate. Contact laws see the displacement over dt, with the
     noise. There is no noise of rotation.
 
-    Beside plane walls (hinderingWalls) without inertia the mobility 1/Sp is
-    less, by that of the nearest wall along its normal n and along it
-    (wallMobility), and the step has Ito's drift:
+    Beside plane walls (hinderingWalls) the mobility 1/Sp is less, by that of
+    the nearest wall along its normal n and along it (wallMobility). Without
+    inertia the step has Ito's drift:
 
         v = (M/Sp).(F + Su) + kT/Sp dMn/dh n
+
+    With inertia the friction of a sub-step is that at its start, Sp/Mn and
+    Sp/Mp, relaxed exactly, with its noise and what such a step lacks of that
+    drift (mobilityDrift). The fluid is at rest.
 
     Force and torque of the last sub-step are written to restarts, because
     damping contact forces depend on the half-step velocity and cannot be
@@ -66,6 +70,7 @@ SourceFiles
     fixIntegrate.cpp
     fixIntegrateColloids.cpp
     fixIntegrateOverdamped.cpp
+    fixIntegrateWalls.cpp
 \*---------------------------------------------------------------------------*/
 
 #ifndef dew_fixIntegrate_h
@@ -133,6 +138,9 @@ public:
         // coefficient of drainage; of this sub-step its friction along
         // springNormal and the speed of filmDrift
         drainage = 23, filmFriction = 24, filmSpeed = 25,
+        // of this sub-step, beside walls with inertia: normal of the nearest,
+        // mobility relative to 1/Sp along it and across
+        wallNormal = 26, wallMn = 29, wallMp = 30,
         nColloidColumns = 32
     };
 
@@ -174,6 +182,9 @@ private:
 
     //- Throw notFinite for the first velocity that is not a number
     void checkFinite() const;
+
+    //- Half a sub-step of rotation
+    void turn(int i);
 
     // Colloids
 
@@ -236,6 +247,17 @@ private:
         //- Noise of a sub-step as a velocity; is there any?
         bool noise(int i, double* g) const;
 
+        //- With inertia beside walls: first half with the noise, second half
+        void firstBeside(int i);
+        void secondBeside(int i);
+
+        //- Relaxation of a velocity over a time: by the friction along the wall's
+        //  normal and across it; way, if wanted
+        void relaxBeside
+        (
+            int i, double t, double* dv, double* way
+        ) const;
+
         //- Velocity beside walls
         void hinder(const nearWall&, int i, double* v) const;
 
@@ -257,10 +279,12 @@ public:
     //- Seed of the noise
     void seed(uint64_t value) { seed_ = value; }
 
+    //- On all ranks
     void hinderingWalls(const std::vector<double>& planes, double minGap)
     {
         planes_ = planes;
         minGap_ = minGap;
+        needColloids();
     }
 
     //- Film before the surface, from the next load() on

@@ -74,13 +74,11 @@ void Foam::dew::liggghtsEngine::hinder(liggghtsBinding& e) const
     const dictionary& dict = userEntry::subDict(fluid, "hindered");
     userEntry::onlyThese(dict, {"walls", "minGap"});
 
-    if (!state_.overdamped || fluid.found("surface") || fluid.found("velocity"))
+    if (fluid.found("surface") || fluid.found("velocity"))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'hindered' is for dynamics of type overdamped, in a fluid"
-            << " at rest without a surface" << nl
-            << "Remove it, or the entries surface and velocity, or set"
-            << " 'dynamics { type overdamped; ... }'"
+            << "Entry 'hindered' is for a fluid at rest without a surface" << nl
+            << "Remove it, or the entries surface and velocity"
             << exit(FatalIOError);
     }
 
