@@ -125,6 +125,30 @@ TEST(brownianMotion, variancesOfTheProcess)
     EXPECT_EQ(free.x, 0);
 }
 
+TEST(brownianMotion, driftOfAVaryingFriction)
+{
+    // Moments of m v' = -(Sp + Sp' x) v + noise to first order in Sp', by
+    // Heun's steps: w = <v x> from D (1 - exp(-t)), then <v>, then <x>;
+    // m = Sp = kT = 1, D' = -Sp'
+    for (const double h : {0.02, 0.7, 9.0})
+    {
+        const int n = 200000;
+        const double dt = h/n, speed = -0.3;
+        double v = 0, x = 0;
+        for (int i = 0; i < n; i++)
+        {
+            const double a = -v + speed*(1 - std::exp(-i*dt));
+            const double b =
+                -(v + dt*a) + speed*(1 - std::exp(-(i + 1)*dt));
+            x += dt*(v + 0.5*dt*a);
+            v += 0.5*dt*(a + b);
+        }
+        const mobilityDrift drift(speed, h, h);
+        EXPECT_NEAR(drift.dx/x, 1, 1e-6) << h;
+        EXPECT_NEAR(drift.dv/v, 1, 1e-6) << h;
+    }
+}
+
 TEST(brownianMotion, gaussiansAreNormalAndIndependent)
 {
     // Standard errors of n samples: 1/sqrt(n), sqrt(2/n), sqrt(96/n); 4 of them

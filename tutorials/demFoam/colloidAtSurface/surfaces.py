@@ -19,8 +19,13 @@ ANGLES = 30, 60, 90, 120, 150
 SHARES = 0.90, 0.98, 1.02, 1.10
 
 # detach with pull plane, line with pull contactLine
-RUNS = ['float'] + [f'{kind}-{shape}-{angle}' for kind in ('rest', 'detach', 'line') for shape in ('plane', 'sphere')
+RUNS = ['float', 'film-rigid', 'film-mobile'] + [f'{kind}-{shape}-{angle}' for kind in ('rest', 'detach', 'line') for shape in ('plane', 'sphere')
                     for angle in ANGLES]
+
+# Of the film: Hamaker constant, least thickness, ranges; force that drives particles to the surface, their films at the
+# start, and the time for each run
+HAMAKER, LEAST, RANGE, FORCE, FILMS = 1e-20, 5e-10, 1e-7, 2e-12, (2e-8, 4e-8, 8e-8)
+TIMES = {'film-rigid': 4e-4, 'film-mobile': 1e-4}
 
 # Energy of detachment over that of Pieranski
 MODELS = {'plane': 1, 'contactLine': 2/3}
@@ -29,7 +34,7 @@ MODELS = {'plane': 1, 'contactLine': 2/3}
 def parts(run):
     """What is done, on which surface, at which angle"""
     kind, shape, angle = (run.split('-') + ['plane', '90'])[:3]
-    return kind, shape, float(angle)
+    return (kind, 'plane', 60) if kind == 'film' else (kind, shape, float(angle))
 
 
 def rest(angle):
@@ -40,6 +45,30 @@ def rest(angle):
 def energy(angle, pull):
     """Least energy of detachment"""
     return MODELS[pull]*np.pi*R**2*SIGMA*(1 - abs(np.cos(np.radians(angle))))**2
+
+
+def thinned(run, h, t):
+    """Film after a time: Sp dh/dt + k (1/h - 1/range) dh/dt = -F - A (1/h^2 - 1/range^2), by Runge and Kutta"""
+    k = 6*np.pi*MU*R**2*(0.25 if run == 'film-mobile' else 1)
+    A = HAMAKER*R/6
+
+    def slope(h):
+        return -(FORCE + A*(h**-2 - RANGE**-2))/(SP + k*(1/h - 1/RANGE))
+
+    n = 20000
+    for _ in range(n):
+        a = slope(h)
+        b = slope(h + 0.5*t/n*a)
+        c = slope(h + 0.5*t/n*b)
+        h += t/n/6*(a + 2*b + 2*c + slope(h + t/n*c))
+    return h
+
+
+def hung(angle):
+    """Height at rest once the film has broken: weight and what buoyancy is left, on the stiffness of the surface"""
+    z = rest(angle)/R
+    share = (1 - z)**2*(2 + z)/4
+    return rest(angle) + FORCE/K*(RHO - share*WATER)/(RHO - WATER)
 
 
 def directions(run, n):
@@ -64,6 +93,8 @@ def particles(run):
     if kind == 'rest':
         # From nearly all in to nearly all out
         start, speed = np.array([-0.99, -0.3, 0.3, 0.99])*R, np.zeros(4)
+    elif kind == 'film':
+        start, speed = -R - np.array(FILMS), np.zeros(len(FILMS))
     elif kind == 'float':
         start, speed = np.array([-0.9, -0.5, -0.1])*R, np.zeros(3)
     else:
@@ -81,9 +112,12 @@ def write(run, folder):
                else f'type sphere; centre (5e-5 5e-5 5e-5); radius {DROP};')
     surface += (' stiffness 1e-9;' if kind == 'float' else
                 f' surfaceTension {SIGMA}; contactAngle {angle:g}; pull {"contactLine" if kind == "line" else "plane"};')
+    if kind == 'film':
+        surface += (f' film {{ minThickness {LEAST}; drainage {{ surface {run[5:]}; range {RANGE}; }}'
+                    f' vanDerWaals {{ HamakerConstant {HAMAKER}; range {RANGE}; }} }}')
     # Friction over 2 pi sigma, or period over 2 pi
     relaxation, period = SP/K, np.sqrt(MASS/K)
-    dt, n, steps = {'rest': (relaxation, 100, 10), 'float': (2e-3, 5, 1000)}.get(kind, (0.002*period, 50, 60))
+    dt, n, steps = {'rest': (relaxation, 100, 10), 'float': (2e-3, 5, 1000), 'film': (1e-7, 100, 1000)}.get(kind, (0.002*period, 50, 60))
     dt = float(f'{dt:.3g}')
     with open(f'{folder}/constant/run', 'w') as out:
         # Without friction where energies are compared
@@ -94,9 +128,11 @@ def write(run, folder):
                   f'timeStep {{ deltaT {dt:.9g}; }}\n')
     with open(f'{folder}/system/run', 'w') as out:
         out.write(f'step {n*dt:.9g};\nduration {steps*n*dt:.9g};\n')
+    # In the film upwards, to the surface
+    gravity = {'float': -9.81, 'film': FORCE/MASS/(1 - WATER/RHO)}.get(kind, 0)
     with open(f'{folder}/constant/g', 'w') as out:
         out.write('FoamFile { version 2.0; format ascii; class uniformDimensionedVectorField; object g; }\n'
-                  f'dimensions [0 1 -2 0 0 0 0];\nvalue (0 0 {-9.81 if kind == "float" else 0});\n')
+                  f'dimensions [0 1 -2 0 0 0 0];\nvalue (0 0 {gravity});\n')
     with open(f'{folder}/constant/particles.csv', 'w') as out:
         out.write('x,y,z,vx,vy,vz,d\n')
         for row in np.hstack(particles(run)):
