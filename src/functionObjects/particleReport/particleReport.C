@@ -62,7 +62,12 @@ void Foam::dew::particleReport::print()
     std::ostringstream energy, clock, pace;
     energy.precision(4);
     energy << l.kineticEnergy << " J";
-    if (particles_.properties().found("colloids"))
+    const dictionary& given = particles_.properties();
+    if
+    (
+        given.found("colloids") || given.found("dissipative")
+     || given.found("immersion")
+    )
     {
         energy << "  colloidal energy " << l.colloidEnergy << " J";
     }

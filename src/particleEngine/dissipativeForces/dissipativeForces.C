@@ -106,20 +106,7 @@ void Foam::dew::dissipativeForces::check
             << exit(FatalIOError);
     }
 
-    for (direction k = 0; k < 3; k++)
-    {
-        const scalar side = box.bounds().span()[k];
-        if (box.periodic(k) && range_ > 0.5*side)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'range' in " << dict.dictName() << " is " << range_
-                << " m, more than half of the periodic box along "
-                << "xyz"[k] << ", " << side << " m: particles would meet"
-                << " others twice" << nl
-                << "Lower it, or use a box of at least " << 2*range_ << " m"
-                << exit(FatalIOError);
-        }
-    }
+    box.refuseRange(dict, "range", range_);
 }
 
 

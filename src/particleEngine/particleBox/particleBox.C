@@ -140,6 +140,30 @@ Foam::dew::particleBox::particleBox
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::dew::particleBox::refuseRange
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar range
+) const
+{
+    for (direction k = 0; k < 3; k++)
+    {
+        const scalar side = bounds_.span()[k];
+        if (periodic_[k] && range > 0.5*side)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << key << "' in " << dict.dictName() << " is "
+                << range << " m, more than half of the periodic box along "
+                << "xyz"[k] << ", " << side << " m: particles would meet"
+                << " others twice" << nl
+                << "Lower it, or use a box of at least " << 2*range << " m"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 Foam::vector Foam::dew::particleBox::separation
 (
     const point& a,

@@ -9,6 +9,7 @@
 #include "fixConduction.h"
 #include "fixDissipativePairs.h"
 #include "fixGravity.h"
+#include "fixImmersion.h"
 #include "fixIntegrate.h"
 #include "fixListReach.h"
 #include "fixLubrication.h"
@@ -59,5 +60,6 @@ void Foam::dew::registerStyles(LAMMPS* lmp)
     fixes["dew/lubrication"] = &makeFix<fixLubrication>;
     fixes["dew/colloidPairs"] = &makeFix<fixColloidPairs>;
     fixes["dew/dissipativePairs"] = &makeFix<fixDissipativePairs>;
+    fixes["dew/immersion"] = &makeFix<fixImmersion>;
     fixes["dew/conduction"] = &makeFix<fixConduction>;
 }

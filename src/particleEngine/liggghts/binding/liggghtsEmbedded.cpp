@@ -7,6 +7,7 @@
 #include "liggghtsEmbedded.h"
 #include "fixColloidPairs.h"
 #include "fixDissipativePairs.h"
+#include "fixImmersion.h"
 #include "fixGravity.h"
 #include "registerStyles.h"
 
@@ -398,9 +399,18 @@ double Foam::dew::liggghtsEmbedded::colloidEnergy() const
         lmp_->modify->find_fix_style("dew/dissipativePairs", 0)
     );
 
+    const auto* immersion = dynamic_cast<const fixImmersion*>
+    (
+        lmp_->modify->find_fix_style("dew/immersion", 0)
+    );
+
+    const double own =
+        (dissipative ? dissipative->energy() : 0)
+      + (immersion ? immersion->energy() : 0);
+
     return
         (colloids_ ? colloids_->energy() : 0)
-      + (dissipative ? dissipative->energy()*units_.force()*units_.length : 0);
+      + own*units_.force()*units_.length;
 }
 
 

@@ -630,6 +630,12 @@ void Foam::dew::liggghtsCommands::dissipative
 }
 
 
+void Foam::dew::liggghtsCommands::immersion(const immersionForces& forces)
+{
+    add("fix immersion all dew/immersion " + forces.engineArguments(units_));
+}
+
+
 void Foam::dew::liggghtsCommands::lubrication(const lubricationProperties& l)
 {
     if (l.on())

@@ -153,6 +153,12 @@ Foam::label Foam::dew::liggghtsEngine::advance
             << exit(FatalError);
     }
 
+    if (immersion_ && b.surfaceTension.empty() && state_.size())
+    {
+        // On this rank only: no collective call on the way out
+        immersion_->refuse();
+    }
+
     bulkForcesView view;
     view.Su = data(b.Su);
     view.Sp = data(b.Sp);

@@ -156,6 +156,21 @@ void Foam::dew::liggghtsEngine::readDissipative()
 }
 
 
+void Foam::dew::liggghtsEngine::readImmersion()
+{
+    if (dict_.found("immersion"))
+    {
+        immersion_.reset
+        (
+            new immersionForces
+            (
+                userEntry::subDict(dict_, "immersion"), box_, maxDiameter_
+            )
+        );
+    }
+}
+
+
 void Foam::dew::liggghtsEngine::checkPairLaws() const
 {
     if (dict_.found("dissipative") && state_.overdamped)

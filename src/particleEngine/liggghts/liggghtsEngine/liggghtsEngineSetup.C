@@ -76,7 +76,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             "materials", "contacts", "walls", "insertion", "timeStep", "skin",
             "processors", "commands", "input", "library", "frameAcceleration",
             "coupling", "output", "dynamics", "conduction", "lubrication",
-            "fluid", "colloids", "dissipative"
+            "fluid", "colloids", "dissipative", "immersion"
         }
     );
 
@@ -93,7 +93,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
             ({
                 "materials", "contacts", "walls", "insertion", "skin",
                 "processors", "frameAcceleration", "heat", "conduction",
-                "lubrication", "colloids", "dissipative"
+                "lubrication", "colloids", "dissipative", "immersion"
             })
         )
         {
@@ -138,6 +138,7 @@ Foam::dew::liggghtsEngine::liggghtsEngine
 
         readColloids();
         readDissipative();
+        readImmersion();
 
         liggghtsCommands commands
         (
@@ -394,6 +395,10 @@ void Foam::dew::liggghtsEngine::generated(liggghtsCommands& commands)
     {
         commands.dissipative(dissipative_(), seed_);
     }
+    if (immersion_)
+    {
+        commands.immersion(immersion_());
+    }
     commands.end(deltaT_);
 
     if (dict_.found("commands"))
@@ -434,6 +439,11 @@ void Foam::dew::liggghtsEngine::neighbourLists
     if (dissipative_)
     {
         const scalar open = dissipative_->range() - 2*smallestRadius();
+        pairs = max(pairs, max(open, narrow));
+    }
+    if (immersion_)
+    {
+        const scalar open = immersion_->range() - 2*smallestRadius();
         pairs = max(pairs, max(open, narrow));
     }
     if (!walls)
