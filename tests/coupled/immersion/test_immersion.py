@@ -80,7 +80,8 @@ def vectors(rows, names='x y z'):
 @BOTH
 def test_force_and_energy_of_a_pair(tmp_path, dynamics, sizes, depths):
     """From the velocities at the end of a sub-step so short that nothing moves, along the diagonal: 1e-6 of the force; the
-    sum is zero to round-off of the table; no force beyond the cut-off. Like charges attract, unlike ones repel."""
+    sum is zero to 3e-7, of the drag; no force beyond the cut-off. Like charges attract, unlike ones repel.
+    The log tells the energy with four digits."""
     dt = 1e-14
     r = np.array(sizes) / 2
     e = np.array([0.6, 0.8])
@@ -99,7 +100,7 @@ def test_force_and_energy_of_a_pair(tmp_path, dynamics, sizes, depths):
         assert np.abs(found[1] - F * e).max() < 1e-6 * size, (L, found[1] / e, F)
         assert np.abs(found[0] + found[1]).max() < 3e-7 * size, (L, found, F, row)
         U = float((re.findall(r'colloidal energy (\S+) J', log) or ['0'])[-1])
-        assert abs(U - energy(*q, L)) < 1e-4 * size * L, (L, U, energy(*q, L))
+        assert abs(U - energy(*q, L)) < 5.1e-4 * abs(energy(*q, L)) + 1e-9 * size * L, (L, U, energy(*q, L))
         if L < 3*D:
             assert (F < 0) == (q[0] * q[1] > 0)
 
