@@ -184,6 +184,13 @@ class Case:
             command = ('mpirun', '-np', ranks, *command, '-parallel')
         return run_command(command, self.path, timeout)
 
+    def refuses(self, words, *command):
+        """Run a command that must end with one error message, which holds all these words."""
+        done = self.run(*command)
+        assert done.code != 0 and done.output.count('FOAM FATAL') == 1, done.output
+        for word in words:
+            assert word in ' '.join(done.output.split()), done.output
+
     def _must(self, *command):
         result = self.run(*command)
         assert result.code == 0, result.output

@@ -8,6 +8,7 @@
 
 #include "fixIntegrate.h"
 #include "../brownianMotion.H"
+#include "../falsePosition.H"
 #include "../sphereInSurface.H"
 #include "../surfaceSpring.H"
 
@@ -115,43 +116,14 @@ void Foam::dew::fixIntegrate::drain
     const double push =
         dot(atom->f[i], m) + dot(d + Su, m) + held
       + d[Sp]*(dot(d + U, m) - c[speed]*dot(c + normal, m));
-    double high =
+    const double most =
         dt*(std::fabs(v) + dt*std::fabs(push)/atom->rmass[i]) + 1e-300;
-    if (h - high >= gap.sMax)
+    if (h - most >= gap.sMax)
     {
         return;
     }
-    double low = -high;
-    double fLow = excess(low), fHigh = excess(high);
-    double way = 0;
 
-    // False position, halving the weight of an end that stays
-    for (int n = 0, side = 0; n < 100; n++)
-    {
-        const double last = way;
-        way = (low*fHigh - high*fLow)/(fHigh - fLow);
-        if (std::fabs(way - last) <= 1e-13*h)
-        {
-            break;
-        }
-        const double f = excess(way);
-        if (f > 0)
-        {
-            high = way;
-            fHigh = f;
-            fLow *= side > 0 ? 0.5 : 1;
-            side = 1;
-        }
-        else
-        {
-            low = way;
-            fLow = f;
-            fHigh *= side < 0 ? 0.5 : 1;
-            side = -1;
-        }
-    }
-
-    c[filmFriction] = friction(way);
+    c[filmFriction] = friction(falsePosition(excess, -most, most, 1e-13*h));
     if (h > gap.sMin && h < gap.sMax)
     {
         const double all = d[Sp] + c[filmFriction];
@@ -174,7 +146,7 @@ double Foam::dew::fixIntegrate::spring
     const double* d = data_[i];
     const double* c = colloid_[i];
     const double mass = atom->rmass[i];
-    const double perMass = t/mass;
+    const double perMass = t/(mass + d[addedMass]);
     const double h = d[Sp]*perMass;
     double k = 0;
     const double held = pull(c, atom->radius[i], delta, k);
@@ -194,8 +166,9 @@ double Foam::dew::fixIntegrate::spring
     const double free = perMass*phi1(h)*(F - d[Sp]*v);
 
     dv = after - v - free;
+    // Without the momentum of the fluid it carries along
     dJ =
-        bulk*t - d[Sp]*(way + w*t)
+        bulk*t - d[Sp]*(way + w*t) - d[addedMass]*(after - v)
       - (mass*free - t*dot(atom->f[i], m));
 
     return way;

@@ -149,6 +149,27 @@ def test_flow_against_a_surface(tmp_path, dynamics, h, q):
     assert abs(row['jsp'][0] / (SP * n * dt) - 1) < 1e-6
 
 
+@pytest.mark.parametrize('added', [0, 2.0])
+def test_skin_and_added_mass(tmp_path, added):
+    """(m + ma) s'' = -Sp s' - k s beyond a skin, with k (m + ma)/Sp^2 = 0.2: the slow and the fast decay, 1e-6 of the
+    start; what was received is m dv less the impulse of the skin."""
+    moved = MASS * (1 + added)
+    tau = moved / SP
+    k, n, dt = 0.2 * SP / tau, 8, 0.4 * tau
+    start_at = 0.3 * R
+    case = colloids(tmp_path, (100*D + start_at, 100*D, 100*D), dt, n, 1, {})
+    run(case, {'Sp': SP, 'U': (0, 0, 0), **surface(k), **({'addedMass': moved - MASS} if added else {})})
+    row = state(case, n * dt)
+    rates = (1 + np.array([1, -1]) * np.sqrt(1 - 0.8)) / (2 * tau)
+    share = np.array([-rates[1], rates[0]]) / (rates[0] - rates[1]) * start_at
+    gone = np.exp(-rates * n * dt)
+    s, v = share @ gone, -(share * rates) @ gone
+    assert abs(row['x'][0] - 100*D - s) < 1e-6 * start_at
+    assert abs(row['vx'][0] - v) < 1e-6 * start_at / tau
+    held = -k * (share / rates) @ (1 - gone)
+    assert abs(row['jx'][0] - (MASS * v - held)) < 1e-6 * abs(held)
+
+
 @pytest.mark.parametrize('q', [1e-2, 1e2])
 @BOTH
 def test_moving_surface_pushes_a_particle(tmp_path, dynamics, q):

@@ -195,15 +195,11 @@ def test_refused(tmp_path, what):
     case = case_of(tmp_path, [[BOX/2, BOX/2, TOP - R/2]], D, dt=1e-9)
     case.properties = changed(case.properties, changes)
     case.write()
-    done = case.run('demFoam')
-    assert done.code != 0 and done.output.count('FOAM FATAL') == 1, done.output
-    for word in words:
-        assert word in ' '.join(done.output.split()), done.output
+    case.refuses(words, 'demFoam')
 
 
 def test_refused_in_a_small_periodic_box(tmp_path):
     case = case_of(tmp_path, [[BOX/2, BOX/2, TOP - R/2]], D, dt=1e-9, cyclic='x')
     case.properties['immersion']['cutOff'] = 0.6 * BOX
     case.write()
-    done = case.run('demFoam')
-    assert done.code != 0 and 'periodic box along x' in ' '.join(done.output.split()), done.output
+    case.refuses(('periodic box along x',), 'demFoam')

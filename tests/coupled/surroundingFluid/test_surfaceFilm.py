@@ -222,7 +222,4 @@ def test_refused(tmp_path, what):
     case.gravity = (0, 0, 0)
     case.properties = changed(case.properties, changes)
     case.write()
-    done = case.run('demFoam')
-    assert done.code != 0 and done.output.count('FOAM FATAL') == 1, done.output
-    for word in words:
-        assert word in ' '.join(done.output.split()), done.output
+    case.refuses(words, 'demFoam')
