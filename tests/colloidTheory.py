@@ -1,5 +1,6 @@
 """Closed forms of colloids that runs are compared with: aggregation, profiles, motion. SI, or any units that fit together."""
 import numpy as np
+from scipy.optimize import brentq
 
 
 def integral(function, low, high, panels=64):
@@ -142,3 +143,22 @@ def dpd_viscosity(rho, gamma, kT=1, rc=1):
 def dpd_pressure(rho, a, kT=1, rc=1):
     """Their equation of state, 0.101 +- 0.001, for rho > 2."""
     return rho * kT + 0.101 * a * rc**4 * rho**2
+
+
+# --- Menisci
+
+def capillary_charge(r, theta, film, q):
+    """r sin(psi) at the contact line of a sphere in a film, whose meniscus rises by Derjaguin's formula, contact angle in
+    degrees, q the inverse of the capillary length (P. A. Kralchevsky, K. Nagayama, Adv. Colloid Interface Sci. 85 (2000) 145)"""
+    def line(b):
+        beta = np.arccos(np.clip(b / r - 1, -1, 1))
+        return r * np.sin(beta), beta - np.deg2rad(theta)
+
+    def excess(b):
+        radius, psi = line(b)
+        return b - film - radius * np.sin(psi) * np.log(4 / (np.exp(np.euler_gamma) * q * radius * (1 + np.cos(psi))))
+
+    rest = r * (1 + np.cos(np.deg2rad(theta)))
+    b = film if abs(film - rest) < 1e-12 * r else brentq(excess, *sorted((film, rest)), xtol=1e-22, rtol=1e-15)
+    radius, psi = line(b)
+    return radius * np.sin(psi)

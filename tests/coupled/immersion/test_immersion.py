@@ -6,9 +6,9 @@ import re
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from scipy.optimize import brentq
 from scipy.special import k0, k1
 
+from colloidTheory import capillary_charge
 from dewCase import Case, changed, quoted
 
 R, RHO, MU, SIGMA = 5e-7, 1055.0, 1e-3, 1e-3
@@ -22,20 +22,7 @@ BOTH = pytest.mark.parametrize('dynamics', [{}, OVERDAMPED], ids=['inertial', 'o
 
 
 def charge(r, theta, film):
-    """Q and radius of the contact line of a sphere in a film"""
-    def line(b):
-        beta = np.arccos(np.clip(b / r - 1, -1, 1))
-        psi = beta - np.deg2rad(theta)
-        return r * np.sin(beta), psi
-
-    def excess(b):
-        radius, psi = line(b)
-        return b - film - radius * np.sin(psi) * np.log(4 / (np.exp(np.euler_gamma) * Q * radius * (1 + np.cos(psi))))
-
-    rest = r * (1 + np.cos(np.deg2rad(theta)))
-    b = film if abs(film - rest) < 1e-12 * r else brentq(excess, *sorted((film, rest)), xtol=1e-22, rtol=1e-15)
-    radius, psi = line(b)
-    return radius * np.sin(psi), radius
+    return capillary_charge(r, theta, film, Q)
 
 
 def attraction(q1, q2, L):
@@ -91,7 +78,7 @@ def test_force_and_energy_of_a_pair(tmp_path, dynamics, sizes, depths):
         log = run(case)
         row = case.table(dt)
         z = row['z'] - TOP
-        q = [charge(r[i], 60, r[i] - z[i])[0] for i in range(2)]
+        q = [charge(r[i], 60, r[i] - z[i]) for i in range(2)]
         F = attraction(*q, L)
         # With inertia half a sub-step has passed since the first force
         scale = 6*np.pi*MU*r if dynamics else RHO * 4/3*np.pi*r**3 / (0.5*dt)
@@ -129,7 +116,7 @@ def test_approach_on_a_substrate(tmp_path):
     first, last = case.table(n * dt), case.table(5 * n * dt)
     film = R - (last['z'][0] - TOP)
     assert np.abs(vectors(first, 'z') - last['z'][0]).max() < 1e-4 * R
-    q, _ = charge(R, 60, film)
+    q = charge(R, 60, film)
     L0 = np.diff(first['x'])[0]
     path = solve_ivp(lambda t, L: [2 * attraction(q, q, L[0]) / (6*np.pi*MU*R)], (0, 4 * n * dt), [L0], rtol=1e-9, atol=1e-15)
     expected = path.y[0, -1]
