@@ -233,8 +233,17 @@ TEST(HamakerConstant, tableOfMedia)
         ) << k.name;
     }
 
-    // A medium does not act across itself; unlike sides of a denser one repel
+    // Across vacuum and water in 1e-20 J, P. Walstra, Physical Chemistry of
+    // Foods (2003), table 12.2: half of the last digit printed
     const HamakerMedium& water = *medium("water");
+    const HamakerMedium& latex = *medium("polystyrene");
+    const HamakerMedium& ethanol = *medium("ethanol");
+    EXPECT_NEAR(HamakerConstant(water, water, air, 300)*1e20, 3.7, 0.05);
+    EXPECT_NEAR(HamakerConstant(ethanol, ethanol, air, 300)*1e20, 4.2, 0.05);
+    EXPECT_NEAR(HamakerConstant(latex, latex, air, 300)*1e20, 6.5, 0.05);
+    EXPECT_NEAR(HamakerConstant(latex, latex, water, 300)*1e20, 0.9, 0.05);
+
+    // A medium does not act across itself; unlike sides of a denser one repel
     EXPECT_EQ(HamakerConstant(water, air, water, 300), 0);
     EXPECT_LT(HamakerConstant(*medium("silica"), air, water, 300), 0);
 }

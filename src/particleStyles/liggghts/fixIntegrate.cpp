@@ -24,9 +24,6 @@
 
 using namespace LAMMPS_NS;
 
-// Moment of inertia of a sphere over m R^2
-static const double inertia = 0.4;
-
 // Distance up to which ended contacts are noticed, over the sum of radii;
 // without inertia particles may jump a share of their radius in a sub-step
 static const double touchShell = 1.01;
@@ -178,7 +175,7 @@ void Foam::dew::fixIntegrate::load(const bool anyTerm, const bool surfaces)
         double* d = data_[i];
         const double m = atom->rmass[i];
         const double R = atom->radius[i];
-        const double I = inertia*m*R*R;
+        const double I = inertiaOf(m, R);
 
         const double moved = m + d[addedMass];
 
@@ -308,25 +305,6 @@ void Foam::dew::fixIntegrate::setup(int)
 }
 
 
-void Foam::dew::fixIntegrate::turn(const int i)
-{
-    double* d = data_[i];
-    const double R = atom->radius[i];
-    const double I = inertia*atom->rmass[i]*R*R;
-    const double dtf = 0.5*update->dt;
-
-    for (int k = 0; k < 3; k++)
-    {
-        const double T = atom->torque[i][k];
-        double& w = atom->omega[i][k];
-        const double dw =
-            (T + d[Tu+k] + d[Tp]*(d[Omega+k] - w))*d[halfTurn];
-        w += dw;
-        d[angularImpulse+k] += I*dw - dtf*T;
-    }
-}
-
-
 void Foam::dew::fixIntegrate::initial_integrate(int)
 {
     const int n = atom->nlocal;
@@ -393,7 +371,10 @@ void Foam::dew::fixIntegrate::initial_integrate(int)
             v[i][k] += dv;
             d[impulse+k] += m*dv - dtf*f[i][k];
         }
-        turn(i);
+        turn
+        (
+            d, torque[i], omega[i], inertiaOf(m, radius[i]), dtf
+        );
     }
 
     if (colloid_)
@@ -466,7 +447,10 @@ void Foam::dew::fixIntegrate::final_integrate()
                 v[i][k] += dv + more[k];
                 d[impulse+k] += m*dv - dtf*f[i][k];
             }
-            turn(i);
+            turn
+            (
+                d, torque[i], omega[i], inertiaOf(m, radius[i]), dtf
+            );
         }
     }
 
@@ -577,7 +561,7 @@ void Foam::dew::fixIntegrate::set_arrays(int i)
     {
         data_[i][halfStep] = 0.5*dt/m;
         data_[i][fullStep] = 0.5*dt*dt/m;
-        data_[i][halfTurn] = 0.5*dt/(inertia*m*R*R);
+        data_[i][halfTurn] = 0.5*dt/inertiaOf(m, R);
         data_[i][heatStep] =
             capacity_
           ? dt/(m*capacity_->compute_vector(atom->type[i] - 1))

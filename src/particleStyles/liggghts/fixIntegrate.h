@@ -141,7 +141,8 @@ public:
         // of this sub-step, beside walls with inertia: normal of the nearest,
         // mobility relative to 1/Sp along it and across
         wallNormal = 26, wallMn = 29, wallMp = 30,
-        nColloidColumns = 32
+        // an odd number of cache lines, so that their sets are all used
+        nColloidColumns = 40
     };
 
 private:
@@ -183,8 +184,25 @@ private:
     //- Throw notFinite for the first velocity that is not a number
     void checkFinite() const;
 
-    //- Half a sub-step of rotation
-    void turn(int i);
+    //- Half a sub-step of rotation: columns, torque, spin, moment of inertia
+    static void turn
+    (
+        double* d, const double* torque, double* omega, double I, double dtf
+    )
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            const double dw =
+                (torque[k] + d[Tu+k] + d[Tp]*(d[Omega+k] - omega[k]))
+               *d[halfTurn];
+            omega[k] += dw;
+            d[angularImpulse+k] += I*dw - dtf*torque[k];
+        }
+    }
+
+    //- Moment of inertia of a sphere, over m R^2 and of a particle
+    static constexpr double inertia = 0.4;
+    static double inertiaOf(double m, double R) { return inertia*m*R*R; }
 
     // Colloids
 

@@ -84,7 +84,11 @@ void Foam::dew::fixIntegrate::firstBeside(const int i)
         d[impulse+k] += m*dv[k] - 0.5*dt*atom->f[i][k];
         c[pending+k] = 0;
     }
-    turn(i);
+    turn
+    (
+        d, atom->torque[i], atom->omega[i], inertiaOf(m, atom->radius[i]),
+        0.5*dt
+    );
 
     if (c[kT] > 0 && d[Sp] > 0)
     {
@@ -127,5 +131,9 @@ void Foam::dew::fixIntegrate::secondBeside(const int i)
         atom->v[i][k] += dv[k] + more[k];
         d[impulse+k] += m*dv[k] - 0.5*update->dt*atom->f[i][k];
     }
-    turn(i);
+    turn
+    (
+        d, atom->torque[i], atom->omega[i], inertiaOf(m, atom->radius[i]),
+        0.5*update->dt
+    );
 }
