@@ -95,7 +95,10 @@ void Foam::dew::fixImmersion::init()
     );
     if (!integrate_ || !force->pair_match("gran", 0))
     {
-        error->fix_error(FLERR, this, "needs dew/integrate and pair_style gran");
+        error->fix_error
+        (
+            FLERR, this, "needs dew/integrate and pair_style gran"
+        );
     }
 }
 

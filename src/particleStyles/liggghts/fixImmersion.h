@@ -12,16 +12,16 @@ Description
 
     Capillary attraction of particles that stick out of the liquid
     (immersionForce.H), of those whose surface has a tension (fixIntegrate).
-    The film is what of a particle is below the surface, l = R - delta. The force
-    acts in the plane that is normal to the mean normal of the two, along the
-    projection of the line of centres, whose length is L; sigma is the mean.
+    The film is what of a particle is below the surface, l = R - delta. The
+    force acts in the plane that is normal to the mean normal of the two, along
+    the projection of the line of centres, whose length is L; sigma is the mean.
 
     q        inverse of the capillary length
     cutOff   largest L
 
-    Charges are those at the positions of the sub-step, and travel to ghosts. The
-    engine's lists must reach as far (fixListReach). A pair across a boundary of
-    ranks is computed on both, its energy counts half on each.
+    Charges are those at the positions of the sub-step, and travel to ghosts.
+    The engine's lists must reach as far (fixListReach). A pair across a
+    boundary of ranks is computed on both, its energy counts half on each.
 
     Before the first bulk forces of a run there is no surface: the half kick at
     its start has none of this force.

@@ -19,8 +19,8 @@ ANGLES = 30, 60, 90, 120, 150
 SHARES = 0.90, 0.98, 1.02, 1.10
 
 # detach with pull plane, line with pull contactLine
-RUNS = ['float', 'film-rigid', 'film-mobile'] + [f'{kind}-{shape}-{angle}' for kind in ('rest', 'detach', 'line') for shape in ('plane', 'sphere')
-                    for angle in ANGLES]
+RUNS = ['float', 'film-rigid', 'film-mobile'] + [
+    f'{kind}-{shape}-{angle}' for kind in ('rest', 'detach', 'line') for shape in ('plane', 'sphere') for angle in ANGLES]
 
 # Of the film: Hamaker constant, least thickness, ranges; force that drives particles to the surface, their films at the
 # start, and the time for each run
@@ -117,7 +117,8 @@ def write(run, folder):
                     f' vanDerWaals {{ HamakerConstant {HAMAKER}; range {RANGE}; }} }}')
     # Friction over 2 pi sigma, or period over 2 pi
     relaxation, period = SP/K, np.sqrt(MASS/K)
-    dt, n, steps = {'rest': (relaxation, 100, 10), 'float': (2e-3, 5, 1000), 'film': (1e-7, 100, 1000)}.get(kind, (0.002*period, 50, 60))
+    dt, n, steps = {'rest': (relaxation, 100, 10), 'float': (2e-3, 5, 1000),
+                    'film': (1e-7, 100, 1000)}.get(kind, (0.002*period, 50, 60))
     dt = float(f'{dt:.3g}')
     with open(f'{folder}/constant/run', 'w') as out:
         # Without friction where energies are compared
